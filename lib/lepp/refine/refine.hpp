@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// Where the new point of a terminal pair goes.
+enum class Placement {
+  centroid,  ///< average of the pair's four vertices
+  midpoint,  ///< midpoint of the terminal edge: the paper's
+};
+
+/// What refine() does with angles above 90 degrees opposite constrained edges.
+enum class ObtuseRule {
+  split_first,  ///< an encroached constrained edge is split before any quality insertion
+  ignore,       ///< they are left alone (nonobtuse.hpp can remove them afterwards)
+};
+
+struct RefineOptions {
+  double min_angle_deg = 30;  ///< 0 to 45; 0 asks for nothing, above 36 is not promised
+  double max_edge = std::numeric_limits<double>::infinity();  ///< longest edge wanted, > 0
+  double max_area = std::numeric_limits<double>::infinity();  ///< largest triangle wanted, > 0
+  Placement placement = Placement::centroid;
+  ObtuseRule obtuse = ObtuseRule::split_first;
+  /// Largest number of vertices, all included; 0 means the default budget,
+  /// 50 * (input vertices + 1000 + area / (0.43 h^2)) where a size h is asked for.
+  std::size_t max_vertices = 0;
+  /// Called now and then with the number of vertices; false stops with reason `cancelled`.
+  std::function<bool(std::size_t vertices)> progress;
+};
+
+/// Why a triangle breaks a bound that was asked for.
+enum class Reason {
+  input_angle,    ///< forced by two constrained edges that meet below 60 degrees
+  input_feature,  ///< the input has features below the size floor there
+  size_floor,     ///< a split would make edges too short for the coordinates
+  budget,         ///< --max-vertices, or the default budget, is used up
+  cancelled,      ///< the caller said stop
+};
+std::string to_string(Reason reason);
+
+struct Unfinished {
+  TriangleId triangle;
+  Reason reason;
+  friend bool operator==(const Unfinished&, const Unfinished&) = default;
+};
+
+struct RefineReport {
+  bool goal_reached = false;  ///< no triangle is unfinished but for input_angle and input_feature
+  std::size_t steiner_points = 0;
+  std::vector<Unfinished> unfinished;  ///< every triangle that breaks a bound, ascending
+};
+
+/// Raises every angle to `min_angle_deg`, brings every size below its bound and, with
+/// ObtuseRule::split_first, leaves no angle above 90 degrees opposite a constrained edge.
+/// Per-region areas are those of the mesh's surface entities.
+/// \pre     `mesh` satisfies M1 to M6
+/// \return  always, with a mesh that satisfies M1 to M6, and a reason per unfinished triangle
+/// \throw   InputError on options out of range; RefusedError when the sizes alone predict more
+///          than 1e8 vertices
+/// Cost     O(log n) per Steiner point. Source [rivara1999]; docs/algorithms/refine.md
+RefineReport refine(Mesh& mesh, const RefineOptions& options = {});
+
+/// A caller's measure of how good a triangle is, and what is good enough (q(t) >= epsilon).
+struct QualityIndicator {
+  std::function<double(const Mesh&, TriangleId)> q;
+  double epsilon = 0;
+};
+
+/// The triangulation improvement problem (Definition 3 of the paper, by its Figure 3): for each
+/// target, Delaunay insertions at the end of its LEPP until it is gone or q(t) >= epsilon; new
+/// triangles below epsilon become targets too.
+/// \pre     `mesh` satisfies M1 to M6; every id in `targets` is one of its triangles
+/// \return  as refine(); `unfinished` lists triangles with q < epsilon that descend from targets
+RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
+                     const QualityIndicator& quality, const RefineOptions& options = {});
+
+}  // namespace lepp

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "lepp/geometry/entities.hpp"
+#include "lepp/geometry/ids.hpp"
+#include "lepp/geometry/point.hpp"
+#include "lepp/geometry/pslg.hpp"
+
+namespace lepp {
+
+/// One side of an edge: edge `edge` of `triangle` lies opposite corner `edge` and runs from
+/// corner edge+1 to corner edge+2 (mod 3), the triangle on its left.
+struct HalfEdge {
+  TriangleId triangle;
+  std::uint32_t edge = 0;
+  friend constexpr auto operator<=>(HalfEdge, HalfEdge) = default;
+};
+
+constexpr std::uint32_t next_corner(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
+constexpr std::uint32_t previous_corner(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
+constexpr HalfEdge next_edge(HalfEdge e) { return {e.triangle, next_corner(e.edge)}; }
+constexpr HalfEdge previous_edge(HalfEdge e) { return {e.triangle, previous_corner(e.edge)}; }
+
+/// 32 bytes: three corners counter-clockwise, what lies across each edge, the region, and a flag
+/// per edge. Only Mesh writes it.
+class Triangle {
+ public:
+  std::array<VertexId, 3> vertices;
+
+  SurfaceId region() const { return region_; }
+
+ private:
+  friend class Mesh;
+  std::array<std::uint32_t, 3> across_;  // 3 * triangle + edge of the other side, or nothing
+  SurfaceId region_;
+  std::uint32_t constrained_ = 0;  // bit i: edge i is constrained
+};
+static_assert(sizeof(Triangle) == 32);
+
+/// Where a vertex comes from.
+struct VertexOrigin {
+  enum class Kind : std::uint32_t {
+    input,       ///< a vertex of the PSLG, number `index` there
+    on_segment,  ///< a Steiner point on a constrained edge; `index` is its SegmentSetId
+    interior,    ///< a Steiner point inside a region
+  };
+  Kind kind = Kind::interior;
+  std::uint32_t index = 0;
+};
+
+/// The input segments that share a constrained edge: almost always one, more where collinear
+/// input segments overlap.
+using SegmentSetId = Id<struct SegmentSetOfMesh>;
+
+/// What the side table keeps about a constrained edge.
+struct ConstrainedEdge {
+  std::optional<SegmentSetId>
+      segments;       ///< none: a side of the convex hull that no segment asked for
+  double t_low = 0;   ///< curve parameter at the end with the smaller VertexId
+  double t_high = 1;  ///< and at the other end
+};
+
+/// A conforming triangulation with regions and constrained edges; the one data structure every
+/// stage works on. Between stages it satisfies M1 to M6 (validate.hpp).
+///
+/// Vertices of the input come first, in input order; Steiner points follow in order of insertion.
+/// A vertex may be shared by several fans of triangles (two holes that touch).
+/// Copying is deep; nothing is shared or global.
+class Mesh {
+ public:
+  // ---- sizes and arrays: contiguous, never copied -------------------------------------------
+  std::size_t vertex_count() const { return points_.size(); }
+  std::size_t triangle_count() const { return triangles_.size(); }
+  std::span<const Point> points() const { return points_; }
+  std::span<const Triangle> triangles() const { return triangles_; }
+  std::span<const VertexOrigin> origins() const { return origins_; }
+  /// The input segments, with mesh vertices as ends.
+  std::span<const Segment> segments() const { return segments_; }
+  const Entities& entities() const { return entities_; }
+  /// What messages call the input, and the number of its first point there.
+  const std::string& source() const { return source_; }
+  std::int64_t base() const { return base_; }
+
+  // ---- asking --------------------------------------------------------------------------------
+  Point point(VertexId v) const { return points_[v.index()]; }
+  const std::array<VertexId, 3>& vertices(TriangleId t) const {
+    return triangles_[t.index()].vertices;
+  }
+  VertexId vertex(TriangleId t, std::uint32_t corner) const { return vertices(t)[corner]; }
+  std::array<Point, 3> corners(TriangleId t) const;
+  SurfaceId region(TriangleId t) const { return triangles_[t.index()].region_; }
+  const VertexOrigin& origin_of(VertexId v) const { return origins_[v.index()]; }
+  bool is_input(VertexId v) const { return origin_of(v).kind == VertexOrigin::Kind::input; }
+
+  VertexId origin(HalfEdge e) const { return vertex(e.triangle, next_corner(e.edge)); }
+  VertexId destination(HalfEdge e) const { return vertex(e.triangle, previous_corner(e.edge)); }
+  VertexId apex(HalfEdge e) const { return vertex(e.triangle, e.edge); }
+
+  /// The same edge seen from the other side; nothing across the boundary of the mesh.
+  std::optional<HalfEdge> twin(HalfEdge e) const;
+  bool is_boundary(HalfEdge e) const {
+    return triangles_[e.triangle.index()].across_[e.edge] == nothing;
+  }
+  bool is_constrained(HalfEdge e) const {
+    return (triangles_[e.triangle.index()].constrained_ >> e.edge & 1U) != 0;
+  }
+  /// An edge with another region, or no mesh, on its other side.
+  bool separates_regions(HalfEdge e) const;
+  /// The record of a constrained edge. \pre is_constrained(e)
+  const ConstrainedEdge& constrained_edge(HalfEdge e) const;
+  /// The input segments that own a constrained edge; empty for a hull side nobody asked for.
+  std::span<const SegmentId> segments_of(HalfEdge e) const;
+  std::span<const SegmentId> segments_of(SegmentSetId set) const;
+  /// The curve that a constrained edge is a piece of, if it is a piece of exactly one.
+  std::optional<CurveId> curve_of(HalfEdge e) const;
+  /// A half-edge that leaves `v`: one fan of `v` is reached by turning around it.
+  HalfEdge leaving(VertexId v) const;
+  /// The half-edge from a to b, if triangles of the fan of leaving(a) have it. O(degree).
+  std::optional<HalfEdge> find_edge(VertexId a, VertexId b) const;
+
+  // ---- building and changing: for the triangulation layer ------------------------------------
+  // These keep each array consistent in itself; M1 to M6 are the caller's to restore.
+  void set_source(std::string source, std::int64_t base);
+  void set_entities(Entities entities) { entities_ = std::move(entities); }
+  Entities& mutable_entities() { return entities_; }
+  void set_segments(std::vector<Segment> segments);
+  void reserve(std::size_t vertices, std::size_t triangles);
+  VertexId add_vertex(Point p, VertexOrigin origin);
+  void move_vertex(VertexId v, Point p) { points_[v.index()] = p; }
+  TriangleId add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId region);
+  /// Gives `t` new corners; edges keep their links and flags until link() changes them.
+  void set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c);
+  void set_region(TriangleId t, SurfaceId region) { triangles_[t.index()].region_ = region; }
+  /// Makes `e` and `f` the two sides of one edge.
+  void link(HalfEdge e, HalfEdge f);
+  /// Makes `e` a boundary edge.
+  void unlink(HalfEdge e) { triangles_[e.triangle.index()].across_[e.edge] = nothing; }
+  /// Links `e` to what lies across `old`, which may be nothing, and copies the constrained flag.
+  void take_place_of(HalfEdge e, HalfEdge old);
+  void set_constrained_flag(HalfEdge e, bool constrained);
+  /// Flags both sides of `e` and stores its record.
+  void constrain(HalfEdge e, const ConstrainedEdge& record);
+  /// Adds a segment to the owners of an edge, which becomes constrained if it was not.
+  void add_owner(HalfEdge e, SegmentId s, double t_origin, double t_destination);
+  /// The record of edge (a, b), whether or not a triangle has that edge now.
+  const ConstrainedEdge* find_record(VertexId a, VertexId b) const;
+  void set_record(VertexId a, VertexId b, const ConstrainedEdge& record);
+  void erase_record(VertexId a, VertexId b);
+
+ private:
+  static constexpr std::uint32_t nothing = 0xFFFFFFFFU;
+  static std::uint64_t key(VertexId a, VertexId b);
+  static std::uint32_t code(HalfEdge e) { return 3 * e.triangle.value + e.edge; }
+
+  std::vector<Point> points_;
+  std::vector<VertexOrigin> origins_;
+  std::vector<std::uint32_t> leaving_;  // code of a half-edge that starts at the vertex
+  std::vector<Triangle> triangles_;
+  std::unordered_map<std::uint64_t, ConstrainedEdge> constrained_edges_;
+  std::vector<Segment> segments_;
+  std::vector<std::vector<SegmentId>> shared_sets_;  // sets of two and more segments
+  std::vector<SegmentId> own_set_;                   // set i holds segment i, for all segments
+  Entities entities_;
+  std::string source_;
+  std::int64_t base_ = 0;
+};
+
+/// Calls visit(TriangleId, corner) for each triangle of the fan of leaving(v), once each, turning
+/// counter-clockwise from the boundary if the fan is open, else from leaving(v).
+/// visit may return void, or bool: false stops the walk.
+template <class Visit>
+void for_each_in_fan(const Mesh& mesh, VertexId v, Visit visit);
+
+}  // namespace lepp
+
+#include "lepp/triangulation/mesh_fan.hpp"

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// What a mesh claims besides M1 to M6.
+struct MeshClaims {
+  bool delaunay = true;  ///< check M6
+  std::optional<double>
+      min_angle_deg;                ///< M7: every angle reaches it, or the triangle is in `excused`
+  std::vector<TriangleId> excused;  ///< triangles that carry a reason, ascending
+  bool nonobtuse = false;           ///< M8; triangles in `excused` may break it
+};
+
+struct MeshViolation {
+  std::string rule;   ///< "M1" ... "M8"
+  std::string where;  ///< ids and coordinates
+};
+
+struct MeshReport {
+  std::vector<MeshViolation> violations;  ///< at most 20 per rule
+  std::size_t count = 0;                  ///< all of them
+  bool valid() const { return count == 0; }
+  std::string summary() const;  ///< "valid", or the first violations
+};
+
+/// M1 ids in range, every vertex used. M2 triangles strictly counter-clockwise. M3 twin(twin(e))
+/// == e with the same two vertices, no edge of three triangles. M4 boundary edges are constrained,
+/// both sides of an edge agree. M5 each segment is a chain of constrained edges, and each
+/// constrained edge has a record. M6 each unconstrained edge is locally Delaunay (exact).
+/// M7, M8: the claims.
+/// Collects violations, throws nothing, changes nothing, and shares nothing but the predicates
+/// with what it checks.  Cost O(n log n).
+MeshReport validate(const Mesh& mesh, const MeshClaims& claims = {});
+
+}  // namespace lepp
