@@ -34,6 +34,10 @@ inline bool is_straight(const Curve& curve) { return std::holds_alternative<Stra
 /// \pre  !is_straight(curve)
 Point point_at(const Curve& curve, double t);
 
+/// The derivative of point_at with respect to t: the direction in which the curve runs.
+/// \pre  !is_straight(curve)
+Point derivative_at(const Curve& curve, double t);
+
 /// A piece of a curve: the two end points and their parameters. For a straight curve the
 /// parameters run along the chord and are only bookkeeping.
 struct CurvePiece {
@@ -48,7 +52,8 @@ struct CurvePoint {
 };
 
 /// The point halfway between the ends of `piece`: the chord's midpoint on a straight curve, else
-/// the point of the curve that is equally far from both ends.
+/// the point of the curve that is equally far from both ends, to rounding.
+/// Cost  O(log(1 / rounding)) evaluations.
 CurvePoint halfway(const Curve& curve, const CurvePiece& piece);
 
 /// The point of `piece` at distance `radius` from its end `a`.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lepp/geometry/entities.hpp"
@@ -52,6 +54,11 @@ struct Pslg {
 
   std::int64_t point_number(VertexId v) const;
   std::int64_t segment_number(SegmentId s) const;
+  /// What messages call a segment: "segment 5", or "curve 7" where it is a piece of a curve that
+  /// the user drew (a curve with bounds or a shape).
+  std::string segment_name(SegmentId s) const;
+  /// True if a curve has `bounds`, so that surfaces are known by their boundaries.
+  bool has_bounded_surfaces() const;
 };
 
 /// A PSLG from plain arrays.
@@ -73,6 +80,9 @@ struct PslgViolation {
 /// constrained_delaunay() needs P1 and P2 only: it merges, splits and reports the rest.
 /// \return  the broken rules, empty for a clean PSLG.  Cost O(n log n + pairs of touching boxes)
 std::vector<PslgViolation> validate(const Pslg& pslg);
+
+/// The first pair of segments that meet elsewhere than at a common end. \pre P2
+std::optional<std::pair<SegmentId, SegmentId>> first_bad_meeting(const Pslg& pslg);
 
 /// P1 and P2 alone. \throw InputError naming the first offender
 void check_ids_and_range(const Pslg& pslg);

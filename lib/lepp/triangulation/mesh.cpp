@@ -112,9 +112,22 @@ TriangleId Mesh::add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId regi
 
 void Mesh::set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c) {
   triangles_[t.index()].vertices = {a, b, c};
-  leaving_[a.index()] = code({t, 2});
-  leaving_[b.index()] = code({t, 0});
-  leaving_[c.index()] = code({t, 1});
+  refresh_leaving(t);
+}
+
+void Mesh::refresh_leaving(TriangleId t) {
+  for (std::uint32_t corner = 0; corner < 3; ++corner) {
+    const VertexId v = vertex(t, corner);
+    const std::uint32_t e = leaving_[v.index()];
+    if (e == nothing || origin({TriangleId(e / 3), e % 3}) != v) {
+      leaving_[v.index()] = code({t, previous_corner(corner)});
+    }
+  }
+}
+
+void Mesh::unlink(HalfEdge e) {
+  triangles_[e.triangle.index()].across_[e.edge] = nothing;
+  leaving_[origin(e).index()] = code(e);
 }
 
 void Mesh::link(HalfEdge e, HalfEdge f) {

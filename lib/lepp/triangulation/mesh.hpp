@@ -119,7 +119,8 @@ class Mesh {
   std::span<const SegmentId> segments_of(SegmentSetId set) const;
   /// The curve that a constrained edge is a piece of, if it is a piece of exactly one.
   std::optional<CurveId> curve_of(HalfEdge e) const;
-  /// A half-edge that leaves `v`: one fan of `v` is reached by turning around it.
+  /// A half-edge that leaves `v`: one fan of `v` is reached by turning around it. If that fan is
+  /// open, the half-edge is its boundary edge, from where turning counter-clockwise sees it all.
   HalfEdge leaving(VertexId v) const;
   /// The half-edge from a to b, if triangles of the fan of leaving(a) have it. O(degree).
   std::optional<HalfEdge> find_edge(VertexId a, VertexId b) const;
@@ -135,12 +136,15 @@ class Mesh {
   void move_vertex(VertexId v, Point p) { points_[v.index()] = p; }
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId region);
   /// Gives `t` new corners; edges keep their links and flags until link() changes them.
+  /// Call refresh_leaving() for the triangles that took over corners of `t`, once all are set.
   void set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c);
+  /// Repairs leaving(v) for corners of `t` whose half-edge no longer starts at them.
+  void refresh_leaving(TriangleId t);
   void set_region(TriangleId t, SurfaceId region) { triangles_[t.index()].region_ = region; }
   /// Makes `e` and `f` the two sides of one edge.
   void link(HalfEdge e, HalfEdge f);
-  /// Makes `e` a boundary edge.
-  void unlink(HalfEdge e) { triangles_[e.triangle.index()].across_[e.edge] = nothing; }
+  /// Makes `e` a boundary edge, and leaving(origin(e)).
+  void unlink(HalfEdge e);
   /// Links `e` to what lies across `old`, which may be nothing, and copies the constrained flag.
   void take_place_of(HalfEdge e, HalfEdge old);
   void set_constrained_flag(HalfEdge e, bool constrained);

@@ -1,0 +1,108 @@
+#include "lepp/geometry/predicates.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "lepp/geometry/expansion.hpp"
+
+namespace lepp {
+
+namespace {
+
+// Coordinates are 0 or in [2^-140, 2^200] (pslg.hpp), so they are multiples of 2^-192 and every
+// product of up to four differences is a multiple of 2^-768 below 2^810: nothing under- or
+// overflows, and each expansion below is exact.
+static_assert(std::numeric_limits<double>::is_iec559);
+
+// Half an ulp of 1: the largest relative error of one rounded operation.
+constexpr double epsilon = 0x1p-53;
+
+// First-order coefficients of the error of the rounded determinants, with room for second order;
+// as derived in [shewchuk1997].
+constexpr double two_products_bound = (3 + 16 * epsilon) * epsilon;
+constexpr double incircle_bound = (10 + 96 * epsilon) * epsilon;
+
+int sign_of(double x) { return (x > 0) - (x < 0); }
+
+int exact_orient2d(Point a, Point b, Point c) {
+  const auto left = difference(a.x, c.x) * difference(b.y, c.y);
+  const auto right = difference(a.y, c.y) * difference(b.x, c.x);
+  return (left - right).sign();
+}
+
+int exact_dot(Point a, Point apex, Point b) {
+  const auto x = difference(a.x, apex.x) * difference(b.x, apex.x);
+  const auto y = difference(a.y, apex.y) * difference(b.y, apex.y);
+  return (x + y).sign();
+}
+
+int exact_incircle(Point a, Point b, Point c, Point d) {
+  const auto ax = difference(a.x, d.x), ay = difference(a.y, d.y);
+  const auto bx = difference(b.x, d.x), by = difference(b.y, d.y);
+  const auto cx = difference(c.x, d.x), cy = difference(c.y, d.y);
+  const auto term = [](const auto& x, const auto& y, const auto& cross) {
+    return (x * x + y * y) * cross;
+  };
+  const auto from_a = term(ax, ay, bx * cy - by * cx);
+  const auto from_b = term(bx, by, cx * ay - cy * ax);
+  const auto from_c = term(cx, cy, ax * by - ay * bx);
+  return (from_a + from_b + from_c).sign();
+}
+
+}  // namespace
+
+int orient2d(Point a, Point b, Point c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  const double det = left - right;
+  const double bound = two_products_bound * (std::abs(left) + std::abs(right));
+  if (det > bound || -det > bound) return sign_of(det);
+  return exact_orient2d(a, b, c);
+}
+
+int dot_sign(Point a, Point apex, Point b) {
+  const double x = (a.x - apex.x) * (b.x - apex.x);
+  const double y = (a.y - apex.y) * (b.y - apex.y);
+  const double sum = x + y;
+  const double bound = two_products_bound * (std::abs(x) + std::abs(y));
+  if (sum > bound || -sum > bound) return sign_of(sum);
+  return exact_dot(a, apex, b);
+}
+
+int incircle(Point a, Point b, Point c, Point d) {
+  const double ax = a.x - d.x, ay = a.y - d.y;
+  const double bx = b.x - d.x, by = b.y - d.y;
+  const double cx = c.x - d.x, cy = c.y - d.y;
+  const double bc = bx * cy, cb = by * cx;
+  const double ca = cx * ay, ac = cy * ax;
+  const double ab = ax * by, ba = ay * bx;
+  const double a2 = ax * ax + ay * ay;
+  const double b2 = bx * bx + by * by;
+  const double c2 = cx * cx + cy * cy;
+  const double det = a2 * (bc - cb) + b2 * (ca - ac) + c2 * (ab - ba);
+  const double size = a2 * (std::abs(bc) + std::abs(cb)) + b2 * (std::abs(ca) + std::abs(ac)) +
+                      c2 * (std::abs(ab) + std::abs(ba));
+  const double bound = incircle_bound * size;
+  if (det > bound || -det > bound) return sign_of(det);
+  return exact_incircle(a, b, c, d);
+}
+
+bool predicates_self_test() {
+  // Three points on a line far from the origin, and one a single ulp off it, either way.
+  const Point far_a{12, 12}, far_b{24, 24};
+  const Point off{0.5, std::nextafter(0.5, 1)}, under{0.5, std::nextafter(0.5, 0)};
+  // A circle of radius 65 about a point with large coordinates: (16, 63), (33, 56), ... lie on it.
+  const Point center{1e7, -3e6};
+  const Point p = center + Point{16, 63}, q = center + Point{-33, 56}, r = center + Point{-63, -16};
+  const Point on = center + Point{56, -33};
+  const Point in{on.x, std::nextafter(on.y, 0)}, out{on.x, std::nextafter(on.y, -1e9)};
+  // A right angle with inexact legs.
+  const Point apex{0.1, 0.1}, u{0.1 + 0x1p-30, 0.1}, v{0.1, 0.1 + 0x1p-40};
+  return orient2d({0.5, 0.5}, far_a, far_b) == 0 && orient2d(far_a, far_b, off) == 1 &&
+         orient2d(far_a, far_b, under) == -1 && incircle(p, q, r, on) == 0 &&
+         incircle(p, q, r, in) == 1 && incircle(p, q, r, out) == -1 && dot_sign(u, apex, v) == 0 &&
+         dot_sign({u.x, std::nextafter(u.y, 0)}, apex, v) == -1 &&
+         dot_sign({u.x, std::nextafter(u.y, 1)}, apex, v) == 1;
+}
+
+}  // namespace lepp

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "lepp/geometry/point.hpp"
+
+namespace lepp {
+
+/// The shortest text that reads back as the same double, in every locale: "0.1", "1e+30".
+std::string to_text(double value);
+
+/// "(x, y)", each coordinate as above: how every message names a place.
+std::string to_text(Point p);
+
+}  // namespace lepp

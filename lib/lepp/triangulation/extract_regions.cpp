@@ -1,0 +1,205 @@
+#include <algorithm>
+
+#include "lepp/triangulation/regions.hpp"
+
+namespace lepp {
+
+namespace {
+
+// A run of consecutive edges of one segment inside the domain.
+struct Piece {
+  VertexId a, b;
+  double t_a, t_b;
+};
+
+class Extractor {
+ public:
+  Extractor(const Mesh& from, const std::vector<std::optional<SurfaceId>>& regions,
+            TriangulationReport& report)
+      : from_(from), regions_(regions), report_(report) {}
+
+  Mesh run() {
+    to_.set_source(from_.source(), from_.base());
+    to_.set_entities(from_.entities());
+    copy_vertices();
+    copy_triangles();
+    link_triangles();
+    copy_segments();
+    keep_point_entities();
+    return std::move(to_);
+  }
+
+ private:
+  bool kept(TriangleId t) const { return regions_[t.index()].has_value(); }
+  bool kept(HalfEdge e) const {
+    const auto across = from_.twin(e);
+    return kept(e.triangle) || (across && kept(across->triangle));
+  }
+
+  void copy_vertices() {
+    std::vector<bool> used(from_.vertex_count(), false);
+    for (std::size_t t = 0; t < from_.triangle_count(); ++t) {
+      if (!kept(TriangleId(t))) continue;
+      for (const VertexId v : from_.vertices(TriangleId(t))) used[v.index()] = true;
+    }
+    const auto count = static_cast<std::size_t>(std::ranges::count(used, true));
+    report_.points_outside = used.size() - count;
+    to_.reserve(count, 2 * count);
+    vertex_.resize(used.size());
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      const VertexId old(v);
+      if (used[v]) vertex_[v] = to_.add_vertex(from_.point(old), from_.origin_of(old));
+    }
+  }
+
+  void copy_triangles() {
+    triangle_.resize(from_.triangle_count());
+    for (std::size_t t = 0; t < from_.triangle_count(); ++t) {
+      if (!kept(TriangleId(t))) continue;
+      const auto& [a, b, c] = from_.vertices(TriangleId(t));
+      triangle_[t] = to_.add_triangle(*vertex_[a.index()], *vertex_[b.index()], *vertex_[c.index()],
+                                      *regions_[t]);
+    }
+  }
+
+  void link_triangles() {
+    for (std::size_t t = 0; t < from_.triangle_count(); ++t) {
+      if (!kept(TriangleId(t))) continue;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const auto across = from_.twin({TriangleId(t), i});
+        const HalfEdge e{*triangle_[t], i};
+        if (across && kept(across->triangle)) {
+          to_.link(e, {*triangle_[across->triangle.index()], across->edge});
+        } else {
+          to_.unlink(e);
+        }
+      }
+    }
+  }
+
+  // Calls visit(edge) once for each constrained edge of the old mesh, in triangle order.
+  template <class Visit>
+  void for_each_constrained_edge(Visit visit) const {
+    for (std::size_t t = 0; t < from_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge e{TriangleId(t), i};
+        if (!from_.is_constrained(e)) continue;
+        const auto across = from_.twin(e);
+        if (!across || e < *across) visit(e);
+      }
+    }
+  }
+
+  void copy_segments() {
+    std::vector<std::size_t> edges(from_.segments().size(), 0), inside(edges);
+    for_each_constrained_edge([&](HalfEdge e) {
+      for (const SegmentId s : from_.segments_of(e)) {
+        ++edges[s.index()];
+        if (kept(e)) ++inside[s.index()];
+      }
+    });
+    std::vector<Segment> segments;
+    new_segment_.resize(edges.size());
+    for (std::size_t s = 0; s < edges.size(); ++s) {
+      if (edges[s] > 0 && inside[s] < edges[s]) ++report_.segments_outside;
+      if (inside[s] == 0) continue;
+      new_segment_[s].first = SegmentId(segments.size());
+      if (inside[s] == edges[s]) {
+        Segment segment = from_.segments()[s];
+        segment.a = *vertex_[segment.a.index()];
+        segment.b = *vertex_[segment.b.index()];
+        segments.push_back(segment);
+      } else {
+        for (const Piece& piece : pieces_inside(SegmentId(s))) {
+          segments.push_back({piece.a, piece.b, from_.segments()[s].curve, piece.t_a, piece.t_b});
+        }
+      }
+      new_segment_[s].count = segments.size() - new_segment_[s].first.index();
+    }
+    to_.set_segments(std::move(segments));
+    own_edges();
+  }
+
+  // A segment that is partly outside leaves one piece per edge inside.
+  std::vector<Piece> pieces_inside(SegmentId s) const {
+    std::vector<Piece> pieces;
+    for_each_constrained_edge([&](HalfEdge e) {
+      const auto owners = from_.segments_of(e);
+      if (!kept(e) || std::ranges::find(owners, s) == owners.end()) return;
+      const auto [t_a, t_b] = parameters(e);
+      pieces.push_back({new_vertex(from_.origin(e)), new_vertex(from_.destination(e)), t_a, t_b});
+    });
+    return pieces;
+  }
+
+  VertexId new_vertex(VertexId old) const { return *vertex_[old.index()]; }
+
+  std::pair<double, double> parameters(HalfEdge e) const {
+    const ConstrainedEdge& record = from_.constrained_edge(e);
+    if (from_.origin(e) < from_.destination(e)) return {record.t_low, record.t_high};
+    return {record.t_high, record.t_low};
+  }
+
+  void own_edges() {
+    for_each_constrained_edge([&](HalfEdge old) {
+      if (!kept(old)) return;
+      const auto across = from_.twin(old);
+      const HalfEdge side = kept(old.triangle) ? old : *across;
+      const HalfEdge e{*triangle_[side.triangle.index()], side.edge};
+      const auto [t_a, t_b] = parameters(side);
+      for (const SegmentId s : from_.segments_of(old)) to_.add_owner(e, owner(s, e), t_a, t_b);
+    });
+    for (std::size_t t = 0; t < to_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge e{TriangleId(t), i};
+        if (to_.is_boundary(e) && !to_.is_constrained(e)) to_.constrain(e, {});
+      }
+    }
+  }
+
+  // The new id of segment s, or of the piece of s that is edge e.
+  SegmentId owner(SegmentId s, HalfEdge e) const {
+    const auto [first, count] = new_segment_[s.index()];
+    const VertexId a = to_.origin(e), b = to_.destination(e);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Segment& piece = to_.segments()[first.index() + i];
+      if ((piece.a == a && piece.b == b) || (piece.a == b && piece.b == a)) {
+        return SegmentId(first.index() + i);
+      }
+    }
+    return first;
+  }
+
+  void keep_point_entities() {
+    std::vector<PointEntity> inside;
+    for (PointEntity point : from_.entities().points) {
+      const auto& vertex = vertex_[point.vertex.index()];
+      if (!vertex) continue;
+      point.vertex = *vertex;
+      inside.push_back(std::move(point));
+    }
+    to_.mutable_entities().points = std::move(inside);
+  }
+
+  struct Renumbered {
+    SegmentId first;
+    std::size_t count = 0;
+  };
+
+  const Mesh& from_;
+  const std::vector<std::optional<SurfaceId>>& regions_;
+  TriangulationReport& report_;
+  Mesh to_;
+  std::vector<std::optional<VertexId>> vertex_;
+  std::vector<std::optional<TriangleId>> triangle_;
+  std::vector<Renumbered> new_segment_;
+};
+
+}  // namespace
+
+Mesh extract_regions(const Mesh& mesh, const std::vector<std::optional<SurfaceId>>& regions,
+                     TriangulationReport& report) {
+  return Extractor(mesh, regions, report).run();
+}
+
+}  // namespace lepp

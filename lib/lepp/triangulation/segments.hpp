@@ -1,0 +1,18 @@
+#pragma once
+
+#include "lepp/triangulation/constrained_delaunay.hpp"
+
+namespace lepp {
+
+/// Makes every segment of `mesh.segments()` a chain of constrained edges of the triangulated
+/// convex hull `mesh`, and restores the Delaunay property around them.
+///
+/// Each segment is walked from end to end; edges it crosses are flipped away [sloan1993]; a vertex
+/// exactly on it cuts it; an edge that is constrained already becomes shared.
+/// \pre    M1 to M3, the mesh fills its convex hull; segment ends are vertices, not equal
+/// \throw  InputError where two segments cross (Crossings::refuse), or cross so close to a vertex
+///         that no double lies between (Crossings::split)
+void insert_segments(Mesh& mesh, const Pslg& pslg, Crossings crossings,
+                     TriangulationReport& report);
+
+}  // namespace lepp

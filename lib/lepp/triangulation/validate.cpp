@@ -1,0 +1,235 @@
+#include "lepp/triangulation/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/text.hpp"
+
+namespace lepp {
+
+namespace {
+
+constexpr std::size_t reported_per_rule = 20;
+
+class Validator {
+ public:
+  Validator(const Mesh& mesh, const MeshClaims& claims) : mesh_(mesh), claims_(claims) {}
+
+  MeshReport run() {
+    check_ids();
+    if (report_.count > 0) return std::move(report_);  // the rest would follow bad ids
+    check_orientation();
+    check_neighbours();
+    if (report_.count > 0) return std::move(report_);
+    check_constrained_flags();
+    check_segments();
+    if (claims_.delaunay) check_delaunay();
+    if (claims_.min_angle_deg) check_angles(*claims_.min_angle_deg);
+    if (claims_.nonobtuse) check_nonobtuse();
+    return std::move(report_);
+  }
+
+ private:
+  void broken(const std::string& rule, const std::string& where) {
+    ++report_.count;
+    if (++per_rule_[rule] <= reported_per_rule) report_.violations.push_back({rule, where});
+  }
+
+  template <class Visit>
+  void for_each_half_edge(Visit visit) const {
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) visit(HalfEdge{TriangleId(t), i});
+    }
+  }
+
+  std::string name(TriangleId t) const {
+    return "triangle " + std::to_string(t.value) + " at " +
+           to_text(mesh_.point(mesh_.vertex(t, 0)));
+  }
+  std::string name(HalfEdge e) const {
+    const VertexId a = mesh_.origin(e), b = mesh_.destination(e);
+    return "edge " + std::to_string(a.value) + "-" + std::to_string(b.value) + ", " +
+           to_text(mesh_.point(a)) + " to " + to_text(mesh_.point(b));
+  }
+
+  void check_ids() {
+    std::vector<bool> used(mesh_.vertex_count(), false);
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+      for (const VertexId v : mesh_.vertices(TriangleId(t))) {
+        if (v.index() < used.size()) used[v.index()] = true;
+        else
+          broken("M1", "triangle " + std::to_string(t) + " has vertex " + std::to_string(v.value));
+      }
+      if (mesh_.region(TriangleId(t)).index() >= mesh_.entities().surfaces.size()) {
+        broken("M1", "triangle " + std::to_string(t) + " has no region");
+      }
+    }
+    for (std::size_t v = 0; v < used.size(); ++v) {
+      if (!used[v]) broken("M1", "vertex " + std::to_string(v) + " is in no triangle");
+    }
+    if (mesh_.triangle_count() == 0) broken("M1", "there is no triangle");
+  }
+
+  void check_orientation() {
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh_.corners(TriangleId(t));
+      if (orient2d(a, b, c) <= 0) broken("M2", name(TriangleId(t)));
+    }
+  }
+
+  void check_neighbours() {
+    std::vector<std::tuple<VertexId, VertexId, HalfEdge>> sides;
+    for_each_half_edge([&](HalfEdge e) {
+      sides.emplace_back(mesh_.origin(e), mesh_.destination(e), e);
+      const auto f = mesh_.twin(e);
+      if (!f) return;
+      const bool in_range = f->triangle.index() < mesh_.triangle_count();
+      if (!in_range || mesh_.twin(*f) != e || mesh_.origin(*f) != mesh_.destination(e) ||
+          mesh_.destination(*f) != mesh_.origin(e)) {
+        broken("M3", name(e));
+      }
+    });
+    std::ranges::sort(sides);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const auto& [a, b, e] = sides[i];
+      if (i > 0 && std::get<0>(sides[i - 1]) == a && std::get<1>(sides[i - 1]) == b) {
+        broken("M3", name(e) + " has two triangles on one side");
+      }
+      if (!mesh_.is_boundary(e)) continue;
+      const auto other = std::ranges::lower_bound(sides, std::tuple(b, a, HalfEdge{}));
+      if (other != sides.end() && std::get<0>(*other) == b && std::get<1>(*other) == a) {
+        broken("M3", name(e) + " has a triangle across that it does not know");
+      }
+    }
+    check_fans();
+  }
+
+  void check_fans() {
+    for (std::size_t v = 0; v < mesh_.vertex_count(); ++v) {
+      const HalfEdge e = mesh_.leaving(VertexId(v));
+      if (e.triangle.index() >= mesh_.triangle_count() || mesh_.origin(e) != VertexId(v)) {
+        broken("M3", "vertex " + std::to_string(v) + " does not know a half-edge that leaves it");
+      }
+    }
+  }
+
+  void check_constrained_flags() {
+    for_each_half_edge([&](HalfEdge e) {
+      const auto f = mesh_.twin(e);
+      if (!f && !mesh_.is_constrained(e)) broken("M4", name(e) + " is boundary, not constrained");
+      if (f && e < *f && mesh_.is_constrained(e) != mesh_.is_constrained(*f)) {
+        broken("M4", name(e) + " is constrained on one side only");
+      }
+      if (f && e < *f && mesh_.separates_regions(e) && !mesh_.is_constrained(e)) {
+        broken("M4", name(e) + " separates regions, not constrained");
+      }
+    });
+  }
+
+  // The edges that name a segment as owner must form one path between its ends.
+  void check_segments() {
+    std::vector<std::vector<std::pair<VertexId, VertexId>>> edges(mesh_.segments().size());
+    for_each_half_edge([&](HalfEdge e) {
+      if (!mesh_.is_constrained(e)) return;
+      const auto f = mesh_.twin(e);
+      if (f && *f < e) return;
+      if (mesh_.find_record(mesh_.origin(e), mesh_.destination(e)) == nullptr) {
+        broken("M5", name(e) + " has no record");
+        return;
+      }
+      for (const SegmentId s : mesh_.segments_of(e)) {
+        edges[s.index()].emplace_back(mesh_.origin(e), mesh_.destination(e));
+      }
+    });
+    for (std::size_t s = 0; s < edges.size(); ++s) {
+      const Segment& segment = mesh_.segments()[s];
+      if (!is_chain(edges[s], segment.a, segment.b)) {
+        broken("M5", "segment " + std::to_string(s) + " from " + to_text(mesh_.point(segment.a)) +
+                         " to " + to_text(mesh_.point(segment.b)));
+      }
+    }
+  }
+
+  static bool is_chain(const std::vector<std::pair<VertexId, VertexId>>& edges, VertexId from,
+                       VertexId to) {
+    std::multimap<VertexId, VertexId> links;
+    for (const auto& [a, b] : edges) {
+      links.emplace(a, b);
+      links.emplace(b, a);
+    }
+    VertexId at = from, before = from;
+    std::size_t steps = 0;
+    while (steps < edges.size() && (at != to || steps == 0)) {
+      const auto [first, last] = links.equal_range(at);
+      auto next = first;
+      if (next != last && next->second == before && steps > 0) ++next;
+      if (next == last) return false;
+      before = at;
+      at = next->second;
+      ++steps;
+    }
+    return at == to && steps == edges.size() && steps > 0;
+  }
+
+  void check_delaunay() {
+    for_each_half_edge([&](HalfEdge e) {
+      const auto f = mesh_.twin(e);
+      if (!f || *f < e || mesh_.is_constrained(e)) return;
+      const auto [a, b, c] = mesh_.corners(e.triangle);
+      if (incircle(a, b, c, mesh_.point(mesh_.apex(*f))) > 0) broken("M6", name(e));
+    });
+  }
+
+  bool excused(TriangleId t) const { return std::ranges::binary_search(claims_.excused, t); }
+
+  void check_angles(double bound_deg) {
+    const double bound = (bound_deg - 1e-9) * std::numbers::pi / 180;
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+      if (excused(TriangleId(t))) continue;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge e{TriangleId(t), i};
+        const Point apex = mesh_.point(mesh_.apex(e));
+        const Point u = mesh_.point(mesh_.origin(e)) - apex;
+        const Point w = mesh_.point(mesh_.destination(e)) - apex;
+        if (std::atan2(cross(u, w), dot(u, w)) < bound) broken("M7", name(TriangleId(t)));
+      }
+    }
+  }
+
+  void check_nonobtuse() {
+    for_each_half_edge([&](HalfEdge e) {
+      if (!mesh_.is_constrained(e) || excused(e.triangle)) return;
+      if (is_obtuse(mesh_.point(mesh_.origin(e)), mesh_.point(mesh_.apex(e)),
+                    mesh_.point(mesh_.destination(e)))) {
+        broken("M8", name(e) + " faces an obtuse angle");
+      }
+    });
+  }
+
+  const Mesh& mesh_;
+  const MeshClaims& claims_;
+  MeshReport report_;
+  std::map<std::string, std::size_t> per_rule_;
+};
+
+}  // namespace
+
+std::string MeshReport::summary() const {
+  if (valid()) return "valid";
+  std::string text = std::to_string(count) + " violations";
+  for (std::size_t i = 0; i < std::min<std::size_t>(violations.size(), 5); ++i) {
+    text += "; " + violations[i].rule + " " + violations[i].where;
+  }
+  return text;
+}
+
+MeshReport validate(const Mesh& mesh, const MeshClaims& claims) {
+  return Validator(mesh, claims).run();
+}
+
+}  // namespace lepp
