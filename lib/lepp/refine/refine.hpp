@@ -8,15 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "lepp/refine/steiner_point.hpp"
 #include "lepp/triangulation/mesh.hpp"
+#include "lepp/triangulation/unfinished.hpp"
 
 namespace lepp {
-
-/// Where the new point of a terminal pair goes.
-enum class Placement {
-  centroid,  ///< average of the pair's four vertices
-  midpoint,  ///< midpoint of the terminal edge: the paper's
-};
 
 /// What refine() does with angles above 90 degrees opposite constrained edges.
 enum class ObtuseRule {
@@ -35,22 +31,6 @@ struct RefineOptions {
   std::size_t max_vertices = 0;
   /// Called now and then with the number of vertices; false stops with reason `cancelled`.
   std::function<bool(std::size_t vertices)> progress;
-};
-
-/// Why a triangle breaks a bound that was asked for.
-enum class Reason {
-  input_angle,    ///< forced by two constrained edges that meet below 60 degrees
-  input_feature,  ///< the input has features below the size floor there
-  size_floor,     ///< a split would make edges too short for the coordinates
-  budget,         ///< --max-vertices, or the default budget, is used up
-  cancelled,      ///< the caller said stop
-};
-std::string to_string(Reason reason);
-
-struct Unfinished {
-  TriangleId triangle;
-  Reason reason;
-  friend bool operator==(const Unfinished&, const Unfinished&) = default;
 };
 
 struct RefineReport {

@@ -116,8 +116,10 @@ class Extractor {
       }
       new_segment_[s].count = segments.size() - new_segment_[s].first.index();
     }
+    const std::size_t of_input = segments.size();
+    add_open_sides(segments);
     to_.set_segments(std::move(segments));
-    own_edges();
+    own_edges(of_input);
   }
 
   // A segment that is partly outside leaves one piece per edge inside.
@@ -140,7 +142,20 @@ class Extractor {
     return {record.t_high, record.t_low};
   }
 
-  void own_edges() {
+  // Boundary edges that no segment asked for: the sides of a convex hull.
+  void add_open_sides(std::vector<Segment>& segments) {
+    for (std::size_t t = 0; t < from_.triangle_count(); ++t) {
+      if (!kept(TriangleId(t))) continue;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge old{TriangleId(t), i}, e{*triangle_[t], i};
+        if (!to_.is_boundary(e) || from_.is_constrained(old)) continue;
+        segments.push_back({to_.origin(e), to_.destination(e), {}, 0, 1});
+        open_sides_.push_back(e);
+      }
+    }
+  }
+
+  void own_edges(std::size_t of_input) {
     for_each_constrained_edge([&](HalfEdge old) {
       if (!kept(old)) return;
       const auto across = from_.twin(old);
@@ -149,11 +164,8 @@ class Extractor {
       const auto [t_a, t_b] = parameters(side);
       for (const SegmentId s : from_.segments_of(old)) to_.add_owner(e, owner(s, e), t_a, t_b);
     });
-    for (std::size_t t = 0; t < to_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const HalfEdge e{TriangleId(t), i};
-        if (to_.is_boundary(e) && !to_.is_constrained(e)) to_.constrain(e, {});
-      }
+    for (std::size_t i = 0; i < open_sides_.size(); ++i) {
+      to_.add_owner(open_sides_[i], SegmentId(of_input + i), 0, 1);
     }
   }
 
@@ -193,6 +205,7 @@ class Extractor {
   std::vector<std::optional<VertexId>> vertex_;
   std::vector<std::optional<TriangleId>> triangle_;
   std::vector<Renumbered> new_segment_;
+  std::vector<HalfEdge> open_sides_;
 };
 
 }  // namespace

@@ -42,9 +42,7 @@ std::span<const SegmentId> Mesh::segments_of(SegmentSetId set) const {
 }
 
 std::span<const SegmentId> Mesh::segments_of(HalfEdge e) const {
-  const ConstrainedEdge* record = find_record(origin(e), destination(e));
-  if (record == nullptr || !record->segments) return {};
-  return segments_of(*record->segments);
+  return segments_of(constrained_edge(e).segments);
 }
 
 std::optional<CurveId> Mesh::curve_of(HalfEdge e) const {
@@ -80,6 +78,7 @@ void Mesh::set_segments(std::vector<Segment> segments) {
   own_set_.resize(segments_.size());
   for (std::size_t i = 0; i < own_set_.size(); ++i) own_set_[i] = SegmentId(i);
   shared_sets_.clear();
+  shared_set_index_.clear();
 }
 
 void Mesh::reserve(std::size_t vertices, std::size_t triangles) {
@@ -162,21 +161,21 @@ void Mesh::constrain(HalfEdge e, const ConstrainedEdge& record) {
 void Mesh::add_owner(HalfEdge e, SegmentId s, double t_origin, double t_destination) {
   const VertexId a = origin(e), b = destination(e);
   const ConstrainedEdge* old = find_record(a, b);
-  if (old == nullptr || !old->segments) {
+  if (old == nullptr) {
     const bool in_order = a < b;
     constrain(e, {SegmentSetId(s.value), in_order ? t_origin : t_destination,
                   in_order ? t_destination : t_origin});
     return;
   }
-  const auto owners = segments_of(*old->segments);
+  const auto owners = segments_of(old->segments);
   if (std::ranges::find(owners, s) != owners.end()) return;
   std::vector<SegmentId> shared(owners.begin(), owners.end());
   shared.push_back(s);
   std::ranges::sort(shared);
-  const auto known = std::ranges::find(shared_sets_, shared);
-  const auto index = static_cast<std::size_t>(known - shared_sets_.begin());
-  if (known == shared_sets_.end()) shared_sets_.push_back(std::move(shared));
-  set_record(a, b, {SegmentSetId(own_set_.size() + index), 0, 1});
+  const auto next = static_cast<std::uint32_t>(own_set_.size() + shared_sets_.size());
+  const auto [known, is_new] = shared_set_index_.try_emplace(shared, next);
+  if (is_new) shared_sets_.push_back(std::move(shared));
+  set_record(a, b, {known->second, 0, 1});
 }
 
 std::uint64_t Mesh::key(VertexId a, VertexId b) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -60,10 +61,9 @@ using SegmentSetId = Id<struct SegmentSetOfMesh>;
 
 /// What the side table keeps about a constrained edge.
 struct ConstrainedEdge {
-  std::optional<SegmentSetId>
-      segments;       ///< none: a side of the convex hull that no segment asked for
-  double t_low = 0;   ///< curve parameter at the end with the smaller VertexId
-  double t_high = 1;  ///< and at the other end
+  SegmentSetId segments;  ///< the input segments that own it
+  double t_low = 0;       ///< curve parameter at the end with the smaller VertexId
+  double t_high = 1;      ///< and at the other end
 };
 
 /// A conforming triangulation with regions and constrained edges; the one data structure every
@@ -80,7 +80,8 @@ class Mesh {
   std::span<const Point> points() const { return points_; }
   std::span<const Triangle> triangles() const { return triangles_; }
   std::span<const VertexOrigin> origins() const { return origins_; }
-  /// The input segments, with mesh vertices as ends.
+  /// The input segments, with mesh vertices as ends; then the sides of the mesh that no input
+  /// segment asked for.
   std::span<const Segment> segments() const { return segments_; }
   const Entities& entities() const { return entities_; }
   /// What messages call the input, and the number of its first point there.
@@ -114,7 +115,7 @@ class Mesh {
   bool separates_regions(HalfEdge e) const;
   /// The record of a constrained edge. \pre is_constrained(e)
   const ConstrainedEdge& constrained_edge(HalfEdge e) const;
-  /// The input segments that own a constrained edge; empty for a hull side nobody asked for.
+  /// The input segments that own a constrained edge, at least one.
   std::span<const SegmentId> segments_of(HalfEdge e) const;
   std::span<const SegmentId> segments_of(SegmentSetId set) const;
   /// The curve that a constrained edge is a piece of, if it is a piece of exactly one.
@@ -169,7 +170,8 @@ class Mesh {
   std::unordered_map<std::uint64_t, ConstrainedEdge> constrained_edges_;
   std::vector<Segment> segments_;
   std::vector<std::vector<SegmentId>> shared_sets_;  // sets of two and more segments
-  std::vector<SegmentId> own_set_;                   // set i holds segment i, for all segments
+  std::map<std::vector<SegmentId>, SegmentSetId> shared_set_index_;
+  std::vector<SegmentId> own_set_;  // set i holds segment i, for all segments
   Entities entities_;
   std::string source_;
   std::int64_t base_ = 0;

@@ -146,9 +146,7 @@ Insertion insert_on_edge(Mesh& mesh, HalfEdge e, Point p, VertexOrigin origin, d
 
 VertexOrigin origin_on(const Mesh& mesh, HalfEdge e) {
   if (!mesh.is_constrained(e)) return {VertexOrigin::Kind::interior, 0};
-  const auto& set = mesh.constrained_edge(e).segments;
-  if (!set) return {VertexOrigin::Kind::interior, 0};
-  return {VertexOrigin::Kind::on_segment, set->value};
+  return {VertexOrigin::Kind::on_segment, mesh.constrained_edge(e).segments.value};
 }
 
 Point in_supported_range(Point p) {

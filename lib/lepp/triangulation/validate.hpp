@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "lepp/triangulation/mesh.hpp"
+#include "lepp/triangulation/unfinished.hpp"
 
 namespace lepp {
 
 /// What a mesh claims besides M1 to M6.
 struct MeshClaims {
   bool delaunay = true;  ///< check M6
-  std::optional<double>
-      min_angle_deg;                ///< M7: every angle reaches it, or the triangle is in `excused`
-  std::vector<TriangleId> excused;  ///< triangles that carry a reason, ascending
-  bool nonobtuse = false;           ///< M8; triangles in `excused` may break it
+  /// M7: every angle reaches it, or the triangle is in `unfinished` with a reason that holds.
+  std::optional<double> min_angle_deg;
+  bool nonobtuse = false;              ///< M8; triangles in `unfinished` may break it
+  std::vector<Unfinished> unfinished;  ///< ascending by triangle, as refine() reports them
 };
 
 struct MeshViolation {

@@ -1,0 +1,266 @@
+#include "lepp/refine/refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lepp/geometry/text.hpp"
+#include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/refine/bad_triangles.hpp"
+#include "lepp/triangulation/encroached.hpp"
+#include "lepp/triangulation/lepp.hpp"
+#include "lepp/triangulation/sharp_vertex.hpp"
+#include "lepp/triangulation/split_constrained.hpp"
+
+namespace lepp {
+
+namespace {
+
+constexpr double largest_predicted_size = 1e8;
+
+void check(const RefineOptions& options) {
+  const auto refuse = [](const std::string& name, double value, const std::string& range) {
+    throw InputError(name, to_text(value) + " is out of range", "give " + range);
+  };
+  if (!(options.min_angle_deg >= 0 && options.min_angle_deg <= 45)) {
+    refuse("minimum angle", options.min_angle_deg, "an angle from 0 to 45 degrees");
+  }
+  if (!(options.max_edge > 0)) refuse("maximum edge", options.max_edge, "a length above 0");
+  if (!(options.max_area > 0)) refuse("maximum area", options.max_area, "an area above 0");
+}
+
+double wanted_area(const Mesh& mesh, const RefineOptions& options, TriangleId t) {
+  return std::min(options.max_area, mesh.entities()[mesh.region(t)].max_area);
+}
+
+// Vertices that the sizes alone will need: half as many as equilateral triangles fit.
+double predicted_vertices(const Mesh& mesh, const RefineOptions& options) {
+  double predicted = 0;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const TriangleId t(i);
+    const auto [a, b, c] = mesh.corners(t);
+    const double by_edge = std::sqrt(3.0) / 4 * options.max_edge * options.max_edge;
+    predicted += signed_area(a, b, c) / std::min(by_edge, wanted_area(mesh, options, t));
+  }
+  return predicted;
+}
+
+std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
+  const double by_size = predicted_vertices(mesh, options);
+  if (by_size > largest_predicted_size) {
+    throw RefusedError("size bounds",
+                       "they need about " + to_text(std::round(by_size)) +
+                           " triangles, more than " + to_text(largest_predicted_size),
+                       "ask for a larger --max-edge or --max-area");
+  }
+  if (options.max_vertices > 0) return options.max_vertices;
+  const double budget = 50 * (static_cast<double>(mesh.vertex_count()) + 1000 + by_size);
+  return static_cast<std::size_t>(std::min(budget, 1e9));
+}
+
+class Refiner {
+ public:
+  Refiner(Mesh& mesh, const RefineOptions& options, Badness badness)
+      : mesh_(mesh),
+        options_(options),
+        floor_(default_size_floor(mesh)),
+        budget_(vertex_budget(mesh, options)),
+        bad_(std::move(badness)) {}
+
+  void add_target(TriangleId t) { bad_.add(mesh_, t); }
+
+  // Between two turns the mesh satisfies M1 to M6. Ends: each turn adds a vertex, of which there
+  // are at most `budget_`, or drops an entry for good.
+  void run() {
+    const std::size_t at_start = mesh_.vertex_count();
+    std::optional<EncroachedEdges> encroached;
+    if (options_.obtuse == ObtuseRule::split_first) encroached.emplace(mesh_);
+    while (may_go_on()) {
+      changed_.clear();
+      if (const auto e = encroached ? encroached->next(mesh_) : std::nullopt) {
+        cut(*e);
+      } else if (const auto t = bad_.worst(mesh_)) {
+        improve(*t);
+      } else {
+        break;
+      }
+      if (encroached) encroached->update(mesh_, changed_);
+      for (const TriangleId t : changed_) bad_.add(mesh_, t);
+    }
+    steiner_points_ = mesh_.vertex_count() - at_start;
+  }
+
+  std::size_t steiner_points() const { return steiner_points_; }
+  double floor() const { return floor_; }
+  // The reason of triangles that nothing in the input excuses.
+  Reason own_reason() const { return stopped_.value_or(Reason::size_floor); }
+
+ private:
+  bool may_go_on() {
+    if (mesh_.vertex_count() >= budget_) stopped_ = Reason::budget;
+    else if (options_.progress && !options_.progress(mesh_.vertex_count())) {
+      stopped_ = Reason::cancelled;
+    }
+    return !stopped_;
+  }
+
+  // Cuts a constrained edge; false if that is not possible.
+  bool cut(HalfEdge e) {
+    const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
+    changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
+    return !split.vertices.empty();
+  }
+
+  void improve(TriangleId t) {
+    const auto vertices = mesh_.vertices(t);
+    const auto point = steiner_point(mesh_, terminal_edge(mesh_, t), options_.placement);
+    if (!point || !insert(*point)) return;  // the size floor: dropped until a neighbour changes
+    if (mesh_.vertices(t) == vertices) bad_.add(mesh_, t);
+  }
+
+  bool insert(const SteinerPoint& s) {
+    if (s.where == SteinerPoint::Where::constrained_edge) return cut(s.edge);
+    if (options_.obtuse == ObtuseRule::split_first) {
+      const auto encroached = edges_encroached_by(mesh_, s.triangle, s.point);
+      if (!encroached.empty()) return cut_first_possible(encroached);
+    }
+    if (is_too_close(s)) return false;
+    const VertexOrigin origin{VertexOrigin::Kind::interior, 0};
+    const Insertion done = s.where == SteinerPoint::Where::edge
+                               ? insert_on_edge(mesh_, s.edge, s.point, origin)
+                               : insert_in_triangle(mesh_, s.triangle, s.point, origin);
+    changed_.insert(changed_.end(), done.changed.begin(), done.changed.end());
+    return true;
+  }
+
+  // A cut moves the others to other triangles, so one at a time; the rest come up again.
+  bool cut_first_possible(const std::vector<HalfEdge>& edges) {
+    return std::ranges::any_of(edges, [&](HalfEdge e) { return cut(e); });
+  }
+
+  bool is_too_close(const SteinerPoint& s) const {
+    const auto near = [&](TriangleId t) {
+      const auto corners = mesh_.corners(t);
+      return std::ranges::any_of(
+          corners, [&](Point c) { return squared_distance(c, s.point) < floor_ * floor_; });
+    };
+    const auto across = mesh_.twin(s.edge);
+    return near(s.triangle) || (across && near(across->triangle));
+  }
+
+  Mesh& mesh_;
+  const RefineOptions& options_;
+  double floor_;
+  std::size_t budget_;
+  BadTriangles bad_;
+  std::vector<TriangleId> changed_;
+  std::size_t steiner_points_ = 0;
+  std::optional<Reason> stopped_;
+};
+
+// The bounds of RefineOptions, asked of one triangle.
+class Bounds {
+ public:
+  explicit Bounds(const RefineOptions& options) : options_(options) {
+    const double bound = (options.min_angle_deg - 1e-9) * std::numbers::pi / 180;
+    squared_cos_ = options.min_angle_deg > 0 ? std::pow(std::cos(bound), 2) : 1;
+  }
+
+  bool small_angle(const Mesh& mesh, TriangleId t) const {
+    const auto [a, b, c] = mesh.corners(t);
+    return options_.min_angle_deg > 0 && squared_cos_of_smallest_angle(a, b, c) > squared_cos_;
+  }
+
+  // How many times too large, squared lengths or areas; at most 1 if it is not.
+  double excess(const Mesh& mesh, TriangleId t) const {
+    const auto [a, b, c] = mesh.corners(t);
+    const double longest =
+        std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
+    const double area = signed_area(a, b, c);
+    return std::max(longest / (options_.max_edge * options_.max_edge),
+                    area / wanted_area(mesh, options_, t));
+  }
+
+  // Too large first, largest first; then small angles, smallest first. A small angle that no
+  // insertion can raise is no target.
+  std::optional<double> badness(const Mesh& mesh, TriangleId t) const {
+    const double too_large = excess(mesh, t);
+    if (too_large > 1) return 1 + too_large;
+    if (!small_angle(mesh, t) || smallest_angle_between_constrained(mesh, t) ||
+        shortest_edge_is_seditious(mesh, t)) {
+      return std::nullopt;
+    }
+    const auto [a, b, c] = mesh.corners(t);
+    return squared_cos_of_smallest_angle(a, b, c);
+  }
+
+ private:
+  const RefineOptions& options_;
+  double squared_cos_;
+};
+
+bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge e{t, i};
+    if (mesh.is_constrained(e) && faces_obtuse_angle(mesh, e)) return true;
+  }
+  return false;
+}
+
+enum class Broken { size, angle };
+
+// Lists the triangles that `breaks` a bound, each with its reason.
+template <class Breaks>
+RefineReport report(const Mesh& mesh, const Refiner& refiner, Breaks breaks) {
+  RefineReport result;
+  result.steiner_points = refiner.steiner_points();
+  result.goal_reached = true;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const TriangleId t(i);
+    const auto broken = breaks(t);
+    if (!broken) continue;
+    auto reason = refiner.own_reason();
+    if (*broken != Broken::size)
+      reason = reason_in_input(mesh, t, refiner.floor()).value_or(reason);
+    result.unfinished.push_back({t, reason});
+    if (!is_forced_by_input(reason)) result.goal_reached = false;
+  }
+  return result;
+}
+
+}  // namespace
+
+RefineReport refine(Mesh& mesh, const RefineOptions& options) {
+  check(options);
+  const Bounds bounds(options);
+  Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) { return bounds.badness(m, t); });
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) refiner.add_target(TriangleId(t));
+  refiner.run();
+  return report(mesh, refiner, [&](TriangleId t) -> std::optional<Broken> {
+    if (bounds.excess(mesh, t) > 1) return Broken::size;
+    if (bounds.small_angle(mesh, t)) return Broken::angle;
+    const bool obtuse = options.obtuse == ObtuseRule::split_first;
+    if (obtuse && faces_obtuse_constrained(mesh, t)) return Broken::angle;
+    return std::nullopt;
+  });
+}
+
+RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
+                     const QualityIndicator& quality, const RefineOptions& options) {
+  check(options);
+  // Triangles that descend from a target are those that changed since; the others keep their ids
+  // and corners and are never asked.
+  Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) -> std::optional<double> {
+    const double q = quality.q(m, t);
+    if (!(q < quality.epsilon)) return std::nullopt;
+    return quality.epsilon - q;
+  });
+  for (const TriangleId t : targets) refiner.add_target(t);
+  refiner.run();
+  return report(mesh, refiner, [&](TriangleId t) -> std::optional<Broken> {
+    if (quality.q(mesh, t) < quality.epsilon) return Broken::angle;
+    return std::nullopt;
+  });
+}
+
+}  // namespace lepp

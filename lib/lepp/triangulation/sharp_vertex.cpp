@@ -1,0 +1,208 @@
+#include "lepp/triangulation/sharp_vertex.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/triangulation/lepp.hpp"
+
+namespace lepp {
+
+namespace {
+
+VertexId other_end(const Mesh& mesh, HalfEdge e, VertexId v) {
+  return mesh.origin(e) == v ? mesh.destination(e) : mesh.origin(e);
+}
+
+// The next constrained edge at `center` counter-clockwise from e = center -> u, through triangles:
+//
+//         w      e is seen from the triangle on its left; the edge that comes back to the center
+//        /       is seen from there too (w -> center)
+//   center --e-- u
+HalfEdge next_constrained(const Mesh& mesh, HalfEdge e) {
+  HalfEdge back = previous_edge(e);
+  while (!mesh.is_constrained(back)) back = previous_edge(*mesh.twin(back));
+  return back;
+}
+
+// The same clockwise from e = u -> center, as the half-edge that leaves the center.
+HalfEdge previous_constrained(const Mesh& mesh, HalfEdge e) {
+  HalfEdge out = next_edge(e);
+  while (!mesh.is_constrained(out)) out = next_edge(*mesh.twin(out));
+  return out;
+}
+
+bool wedge_below(const Mesh& mesh, VertexId center, VertexId u, VertexId w,
+                 bool (*below)(Point, Point, Point)) {
+  const Point c = mesh.point(center), a = mesh.point(u), b = mesh.point(w);
+  return orient2d(c, a, b) > 0 && below(a, c, b);
+}
+
+// Constrained edges linked to `edge` on its counter-clockwise side (or clockwise), in order.
+class FanWalk {
+ public:
+  FanWalk(const Mesh& mesh, VertexId center) : mesh_(mesh), center_(center) {}
+
+  std::vector<HalfEdge> counter_clockwise(HalfEdge edge) const {
+    std::vector<HalfEdge> linked;
+    std::optional<HalfEdge> out = leaving(edge);
+    const VertexId start = other_end(mesh_, edge, center_);
+    while (out) {
+      const HalfEdge back = next_constrained(mesh_, *out);
+      const VertexId u = mesh_.destination(*out), w = mesh_.origin(back);
+      if (w == start || !wedge_below(mesh_, center_, u, w, is_below_60_deg)) break;
+      linked.push_back(back);
+      out = mesh_.twin(back);
+    }
+    return linked;
+  }
+
+  std::vector<HalfEdge> clockwise(HalfEdge edge) const {
+    std::vector<HalfEdge> linked;
+    std::optional<HalfEdge> back = arriving(edge);
+    const VertexId start = other_end(mesh_, edge, center_);
+    while (back) {
+      const HalfEdge out = previous_constrained(mesh_, *back);
+      const VertexId u = mesh_.destination(out), w = mesh_.origin(*back);
+      if (u == start || !wedge_below(mesh_, center_, u, w, is_below_60_deg)) break;
+      linked.push_back(out);
+      back = mesh_.twin(out);
+    }
+    return linked;
+  }
+
+ private:
+  std::optional<HalfEdge> leaving(HalfEdge e) const {
+    return mesh_.origin(e) == center_ ? std::optional(e) : mesh_.twin(e);
+  }
+  std::optional<HalfEdge> arriving(HalfEdge e) const {
+    return mesh_.destination(e) == center_ ? std::optional(e) : mesh_.twin(e);
+  }
+
+  const Mesh& mesh_;
+  VertexId center_;
+};
+
+// The corner of t with the smallest angle faces its shortest edge.
+HalfEdge shortest_edge(const Mesh& mesh, TriangleId t) { return edges_by_length(mesh, t)[0]; }
+
+// Input segments that vertex v lies on or is an end of.
+std::vector<SegmentId> segments_at(const Mesh& mesh, VertexId v) {
+  std::vector<SegmentId> found;
+  const auto add = [&](std::span<const SegmentId> segments) {
+    found.insert(found.end(), segments.begin(), segments.end());
+  };
+  const VertexOrigin& origin = mesh.origin_of(v);
+  if (origin.kind == VertexOrigin::Kind::on_segment) {
+    add(mesh.segments_of(SegmentSetId(origin.index)));
+  } else if (origin.kind == VertexOrigin::Kind::input) {
+    for_each_in_fan(mesh, v, [&](TriangleId t, std::uint32_t corner) {
+      for (const HalfEdge e : {HalfEdge{t, next_corner(corner)}, {t, previous_corner(corner)}}) {
+        if (mesh.is_constrained(e)) add(mesh.segments_of(e));
+      }
+    });
+  }
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+std::optional<VertexId> common_end(const Segment& r, const Segment& s) {
+  if (r.a == s.a || r.a == s.b) return r.a;
+  if (r.b == s.a || r.b == s.b) return r.b;
+  return std::nullopt;
+}
+
+bool is_seditious(const Mesh& mesh, VertexId u, VertexId w, const Segment& r, const Segment& s) {
+  const auto center = common_end(r, s);
+  if (!center || *center == u || *center == w) return false;
+  const Point c = mesh.point(*center);
+  const Point r_end = mesh.point(r.a == *center ? r.b : r.a);
+  const Point s_end = mesh.point(s.a == *center ? s.b : s.a);
+  if (!is_below_60_deg(r_end, c, s_end)) return false;
+  const double to_u = squared_distance(c, mesh.point(u)), to_w = squared_distance(c, mesh.point(w));
+  return std::abs(to_u - to_w) <= 1e-9 * std::max(to_u, to_w);
+}
+
+double distance_to_segment(Point p, Point a, Point b) {
+  const Point ab = b - a;
+  const double s = std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0);
+  return std::sqrt(squared_distance(p, a + s * ab));
+}
+
+}  // namespace
+
+Fan fan_at(const Mesh& mesh, HalfEdge edge, VertexId center) {
+  const FanWalk walk(mesh, center);
+  Fan fan{center, walk.clockwise(edge)};
+  std::ranges::reverse(fan.edges);
+  fan.edges.push_back(edge);
+  const auto beyond = walk.counter_clockwise(edge);
+  for (const HalfEdge e : beyond) {  // a full circle of wedges meets its other end
+    const VertexId end = other_end(mesh, e, center);
+    const bool known = std::ranges::any_of(
+        fan.edges, [&](HalfEdge f) { return other_end(mesh, f, center) == end; });
+    if (!known) fan.edges.push_back(e);
+  }
+  if (fan.edges.size() == 1) return {center, {}};
+  if (fan.edges.size() == 2) {
+    const Point c = mesh.point(center);
+    const Point a = mesh.point(other_end(mesh, fan.edges[0], center));
+    const Point b = mesh.point(other_end(mesh, fan.edges[1], center));
+    if (!is_below_45_deg(a, c, b)) return {center, {}};
+  }
+  return fan;
+}
+
+bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t) {
+  const HalfEdge e = shortest_edge(mesh, t);
+  return mesh.is_constrained(next_edge(e)) && mesh.is_constrained(previous_edge(e));
+}
+
+bool smallest_angle_in_sharp_wedge(const Mesh& mesh, TriangleId t) {
+  const HalfEdge e = shortest_edge(mesh, t);
+  const VertexId center = mesh.apex(e);
+  // Turn clockwise and counter-clockwise until a constrained edge closes the wedge.
+  HalfEdge out = previous_edge(e);  // center -> origin(e)
+  const HalfEdge start = out;
+  while (!mesh.is_constrained(out)) {
+    out = next_edge(*mesh.twin(out));
+    if (out == start) return false;  // no constrained edge at this vertex
+  }
+  const HalfEdge back = next_constrained(mesh, out);
+  return wedge_below(mesh, center, mesh.destination(out), mesh.origin(back), is_below_60_deg);
+}
+
+bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t) {
+  const HalfEdge e = shortest_edge(mesh, t);
+  const VertexId u = mesh.origin(e), w = mesh.destination(e);
+  if (mesh.origin_of(u).kind == VertexOrigin::Kind::interior) return false;
+  if (mesh.origin_of(w).kind == VertexOrigin::Kind::interior) return false;
+  const auto at_u = segments_at(mesh, u), at_w = segments_at(mesh, w);
+  for (const SegmentId r : at_u) {
+    for (const SegmentId s : at_w) {
+      if (r == s) continue;
+      if (is_seditious(mesh, u, w, mesh.segments()[r.index()], mesh.segments()[s.index()])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool at_input_feature(const Mesh& mesh, TriangleId t, double floor) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge e{t, i};
+    const VertexId a = mesh.origin(e), b = mesh.destination(e), c = mesh.apex(e);
+    const Point p = mesh.point(a), q = mesh.point(b), apex = mesh.point(c);
+    if (mesh.is_input(a) && mesh.is_input(b) && squared_distance(p, q) < floor * floor) return true;
+    const bool apex_of_input = mesh.origin_of(c).kind != VertexOrigin::Kind::interior;
+    if (apex_of_input && mesh.is_constrained(e) && distance_to_segment(apex, p, q) < floor) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace lepp

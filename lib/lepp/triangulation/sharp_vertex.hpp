@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// A sharp vertex is one where consecutive constrained edges meet, through the domain, at less than
+/// 60 degrees. Rules for them, after the concentric shells of Ruppert and the seditious edges of
+/// Miller, Pav and Walkington: docs/algorithms/sharp_vertices.md.
+
+/// The fan of a constrained edge at one of its ends: all constrained edges linked to it through
+/// wedges below 60 degrees, each one as the half-edge that bounds its triangle on some side.
+/// A single wedge that stands alone counts only below 45 degrees.
+struct Fan {
+  VertexId center;
+  std::vector<HalfEdge> edges;  ///< at least two if it is a fan, `edge` among them; else empty
+  bool exists() const { return !edges.empty(); }
+};
+
+/// \param edge    a constrained edge, seen from either side
+/// \param center  one of its ends
+/// Cost O(degree of center)
+Fan fan_at(const Mesh& mesh, HalfEdge edge, VertexId center);
+
+/// True if the smallest angle of `t` lies in a wedge of constrained edges below 60 degrees.
+/// Cost O(degree)
+bool smallest_angle_in_sharp_wedge(const Mesh& mesh, TriangleId t);
+
+/// True if both sides of the smallest angle of `t` are constrained: no insertion can change it.
+bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t);
+
+/// True if the shortest edge of `t` is seditious: it joins points on two input segments that meet
+/// below 60 degrees at a vertex equally far from both. Splitting it off would only repeat the
+/// picture at half the scale.
+bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t);
+
+/// True if the input itself has two separate features closer than `floor` at `t`: two input
+/// vertices, or a vertex of the input and a segment that it is not an end of.
+bool at_input_feature(const Mesh& mesh, TriangleId t, double floor);
+
+}  // namespace lepp

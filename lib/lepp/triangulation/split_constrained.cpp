@@ -1,0 +1,128 @@
+#include "lepp/triangulation/split_constrained.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lepp/triangulation/sharp_vertex.hpp"
+
+namespace lepp {
+
+namespace {
+
+double length(const Mesh& mesh, HalfEdge e) {
+  return std::sqrt(squared_distance(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e))));
+}
+
+// Lengths along a fan that differ by less are the same radius, rounded.
+constexpr double same_radius = 1 + 1e-9;
+// One point per edge suffices where every longer edge exceeds the shortest by this factor.
+constexpr double clearly_longer = 1.4;
+
+bool long_enough(const ConstrainedPiece& e, Point p, double floor) {
+  const double least = std::min(squared_distance(e.piece.a, p), squared_distance(p, e.piece.b));
+  return least >= floor * floor && least > 0;
+}
+
+ConstrainedSplit split_at(Mesh& mesh, HalfEdge e, const ConstrainedPiece& geometry,
+                          CurvePoint on_curve, CurvePoint on_chord, double floor) {
+  for (CurvePoint candidate : {on_curve, on_chord}) {
+    candidate.point = in_supported_range(candidate.point);
+    if (!long_enough(geometry, candidate.point, floor)) continue;
+    if (!can_split_edge(mesh, e, candidate.point)) continue;
+    const Insertion done =
+        insert_on_edge(mesh, e, candidate.point, origin_on(mesh, e), candidate.t);
+    return {{done.vertex}, done.changed};
+  }
+  return {};
+}
+
+CurvePoint on_chord(const CurvePiece& piece, double s) {
+  return {piece.a + s * (piece.b - piece.a), piece.t_a + s * (piece.t_b - piece.t_a)};
+}
+
+void append(ConstrainedSplit& all, const ConstrainedSplit& one) {
+  all.vertices.insert(all.vertices.end(), one.vertices.begin(), one.vertices.end());
+  all.changed.insert(all.changed.end(), one.changed.begin(), one.changed.end());
+}
+
+// The radius at which a fan is cut when one of its edges, of length `wanted`, must be.
+double fan_radius(const Mesh& mesh, const Fan& fan, double wanted) {
+  double shortest = wanted;
+  for (const HalfEdge e : fan.edges) shortest = std::min(shortest, length(mesh, e));
+  const bool one_point =
+      wanted > shortest * same_radius && std::ranges::all_of(fan.edges, [&](HalfEdge e) {
+        const double l = length(mesh, e);
+        return l <= shortest * same_radius || l >= clearly_longer * shortest;
+      });
+  return one_point ? shortest : shortest / 2;
+}
+
+// The half-edge between the center of a fan and its neighbour `v`, a vertex just inserted.
+HalfEdge edge_to_center(const Mesh& mesh, VertexId v, VertexId center) {
+  return *mesh.find_edge(v, center);
+}
+
+ConstrainedSplit split_fan(Mesh& mesh, HalfEdge e, const Fan& fan, double floor) {
+  const VertexId center = fan.center;
+  const double radius = fan_radius(mesh, fan, length(mesh, e));
+  ConstrainedSplit all = split_at_distance(mesh, e, center, radius, floor);
+  if (all.vertices.empty()) return all;
+  HalfEdge here = edge_to_center(mesh, all.vertices.front(), center);
+  std::vector<VertexId> tried;
+  while (true) {  // each turn cuts or gives up on one more edge of the fan
+    const Fan now = fan_at(mesh, here, center);
+    const auto longer = std::ranges::find_if(now.edges, [&](HalfEdge f) {
+      const VertexId end = mesh.origin(f) == center ? mesh.destination(f) : mesh.origin(f);
+      return length(mesh, f) > radius * same_radius && std::ranges::find(tried, end) == tried.end();
+    });
+    if (longer == now.edges.end()) return all;
+    tried.push_back(mesh.origin(*longer) == center ? mesh.destination(*longer)
+                                                   : mesh.origin(*longer));
+    const ConstrainedSplit one = split_at_distance(mesh, *longer, center, radius, floor);
+    append(all, one);
+    if (!one.vertices.empty()) here = edge_to_center(mesh, one.vertices.front(), center);
+    else here = edge_to_center(mesh, all.vertices.front(), center);
+  }
+}
+
+}  // namespace
+
+ConstrainedPiece piece_from(const Mesh& mesh, HalfEdge e, VertexId from) {
+  const VertexId to = mesh.origin(e) == from ? mesh.destination(e) : mesh.origin(e);
+  const ConstrainedEdge& record = mesh.constrained_edge(e);
+  ConstrainedPiece result;
+  result.piece = {mesh.point(from), mesh.point(to), record.t_low, record.t_high};
+  if (to < from) std::swap(result.piece.t_a, result.piece.t_b);
+  if (const auto curve = mesh.curve_of(e);
+      curve && !is_straight(mesh.entities()[*curve].geometry)) {
+    result.curve = &mesh.entities()[*curve].geometry;
+  }
+  return result;
+}
+
+ConstrainedSplit split_halfway(Mesh& mesh, HalfEdge e, double floor) {
+  const ConstrainedPiece geometry = piece_from(mesh, e, mesh.origin(e));
+  const CurvePoint chord{midpoint(geometry.piece.a, geometry.piece.b),
+                         0.5 * (geometry.piece.t_a + geometry.piece.t_b)};
+  const CurvePoint curve =
+      geometry.curve == nullptr ? chord : halfway(*geometry.curve, geometry.piece);
+  return split_at(mesh, e, geometry, curve, chord, floor);
+}
+
+ConstrainedSplit split_at_distance(Mesh& mesh, HalfEdge e, VertexId from, double radius,
+                                   double floor) {
+  const ConstrainedPiece geometry = piece_from(mesh, e, from);
+  const CurvePoint chord = on_chord(geometry.piece, radius / length(mesh, e));
+  const CurvePoint curve =
+      geometry.curve == nullptr ? chord : at_distance(*geometry.curve, geometry.piece, radius);
+  return split_at(mesh, e, geometry, curve, chord, floor);
+}
+
+ConstrainedSplit split_constrained_edge(Mesh& mesh, HalfEdge e, double floor) {
+  const Fan at_origin = fan_at(mesh, e, mesh.origin(e));
+  const Fan at_destination = fan_at(mesh, e, mesh.destination(e));
+  if (at_origin.exists() == at_destination.exists()) return split_halfway(mesh, e, floor);
+  return split_fan(mesh, e, at_origin.exists() ? at_origin : at_destination, floor);
+}
+
+}  // namespace lepp

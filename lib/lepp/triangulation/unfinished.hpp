@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// Why a triangle breaks a bound that was asked for.
+enum class Reason {
+  input_angle,    ///< forced by two constrained edges that meet below 60 degrees
+  input_feature,  ///< the input has features below the size floor there
+  size_floor,     ///< a split would make edges too short for the coordinates
+  budget,         ///< --max-vertices, or the default budget, is used up
+  cancelled,      ///< the caller said stop
+};
+std::string to_string(Reason reason);
+
+/// True for reasons that the input forces; the goal counts as reached all the same.
+bool is_forced_by_input(Reason reason);
+
+struct Unfinished {
+  TriangleId triangle;
+  Reason reason;
+  friend bool operator==(const Unfinished&, const Unfinished&) = default;
+};
+
+/// The reason that the input forces on a triangle with a small angle or an obtuse one, if any:
+/// input_angle where its smallest angle lies in a wedge of constrained edges below 60 degrees or
+/// its shortest edge is seditious there; input_feature where separate features of the input are
+/// closer than `floor`. Both refine() and validate() decide by it.
+std::optional<Reason> reason_in_input(const Mesh& mesh, TriangleId t, double floor);
+
+/// The shortest edge that refinement makes: below it doubles are too coarse, 1e-12 of the diagonal
+/// of the bounding box or 64 ulp of the largest coordinate.
+double default_size_floor(const Mesh& mesh);
+
+}  // namespace lepp
