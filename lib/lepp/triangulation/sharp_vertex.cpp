@@ -146,12 +146,6 @@ Fan fan_at(const Mesh& mesh, HalfEdge edge, VertexId center) {
     if (!known) fan.edges.push_back(e);
   }
   if (fan.edges.size() == 1) return {center, {}};
-  if (fan.edges.size() == 2) {
-    const Point c = mesh.point(center);
-    const Point a = mesh.point(other_end(mesh, fan.edges[0], center));
-    const Point b = mesh.point(other_end(mesh, fan.edges[1], center));
-    if (!is_below_45_deg(a, c, b)) return {center, {}};
-  }
   return fan;
 }
 

@@ -11,8 +11,8 @@ namespace lepp {
 /// Miller, Pav and Walkington: docs/algorithms/sharp_vertices.md.
 
 /// The fan of a constrained edge at one of its ends: all constrained edges linked to it through
-/// wedges below 60 degrees, each one as the half-edge that bounds its triangle on some side.
-/// A single wedge that stands alone counts only below 45 degrees.
+/// wedges below 60 degrees, each one seen from some side. (Below 45 degrees edges encroach each
+/// other; up to 60 unequal radii can still make ever smaller triangles between them.)
 struct Fan {
   VertexId center;
   std::vector<HalfEdge> edges;  ///< at least two if it is a fan, `edge` among them; else empty
