@@ -3,7 +3,7 @@
 namespace lepp {
 
 void BadTriangles::add(const Mesh& mesh, TriangleId t) {
-  if (const auto badness = badness_(mesh, t)) queue_.push({*badness, t, mesh.vertices(t)});
+  if (const auto badness = judge_(mesh, t)) queue_.push({*badness, t, mesh.vertices(t)});
 }
 
 std::optional<TriangleId> BadTriangles::worst(const Mesh& mesh) {

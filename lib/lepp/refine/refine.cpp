@@ -60,12 +60,12 @@ std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
 
 class Refiner {
  public:
-  Refiner(Mesh& mesh, const RefineOptions& options, Badness badness)
+  Refiner(Mesh& mesh, const RefineOptions& options, Judge judge)
       : mesh_(mesh),
         options_(options),
         floor_(default_size_floor(mesh)),
         budget_(vertex_budget(mesh, options)),
-        bad_(std::move(badness)) {}
+        bad_(std::move(judge)) {}
 
   void add_target(TriangleId t) { bad_.add(mesh_, t); }
 
@@ -91,7 +91,6 @@ class Refiner {
   }
 
   std::size_t steiner_points() const { return steiner_points_; }
-  double floor() const { return floor_; }
   // The reason of triangles that nothing in the input excuses.
   Reason own_reason() const { return stopped_.value_or(Reason::size_floor); }
 
@@ -158,18 +157,13 @@ class Refiner {
   std::optional<Reason> stopped_;
 };
 
-// The bounds of RefineOptions, asked of one triangle.
+// What is asked of each triangle: sizes and, in the shape of an indicator, quality.
 class Bounds {
  public:
-  explicit Bounds(const RefineOptions& options) : options_(options) {
-    const double bound = (options.min_angle_deg - 1e-9) * std::numbers::pi / 180;
-    squared_cos_ = options.min_angle_deg > 0 ? std::pow(std::cos(bound), 2) : 1;
-  }
+  Bounds(const RefineOptions& options, const QualityIndicator& quality)
+      : options_(options), quality_(quality) {}
 
-  bool small_angle(const Mesh& mesh, TriangleId t) const {
-    const auto [a, b, c] = mesh.corners(t);
-    return options_.min_angle_deg > 0 && squared_cos_of_smallest_angle(a, b, c) > squared_cos_;
-  }
+  bool poor(const Mesh& mesh, TriangleId t) const { return quality_.q(mesh, t) < quality_.epsilon; }
 
   // How many times too large, squared lengths or areas; at most 1 if it is not.
   double excess(const Mesh& mesh, TriangleId t) const {
@@ -181,22 +175,24 @@ class Bounds {
                     area / wanted_area(mesh, options_, t));
   }
 
-  // Too large first, largest first; then small angles, smallest first. A small angle that no
-  // insertion can raise is no target.
-  std::optional<double> badness(const Mesh& mesh, TriangleId t) const {
+  // Too large first, largest first; then poor quality, poorest first. A poor shape that no
+  // insertion can better is no target.
+  std::optional<Badness> judge(const Mesh& mesh, TriangleId t) const {
     const double too_large = excess(mesh, t);
-    if (too_large > 1) return 1 + too_large;
-    if (!small_angle(mesh, t) || smallest_angle_between_constrained(mesh, t) ||
-        shortest_edge_is_seditious(mesh, t)) {
+    if (too_large > 1) return Badness{true, too_large};
+    const double q = quality_.q(mesh, t);
+    if (!(q < quality_.epsilon)) return std::nullopt;
+    const bool shape = quality_.measures == QualityIndicator::Measures::shape;
+    if (shape &&
+        (smallest_angle_between_constrained(mesh, t) || shortest_edge_is_seditious(mesh, t))) {
       return std::nullopt;
     }
-    const auto [a, b, c] = mesh.corners(t);
-    return squared_cos_of_smallest_angle(a, b, c);
+    return Badness{false, quality_.epsilon - q};
   }
 
  private:
   const RefineOptions& options_;
-  double squared_cos_;
+  const QualityIndicator& quality_;
 };
 
 bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
@@ -207,60 +203,90 @@ bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
   return false;
 }
 
-enum class Broken { size, angle };
+// Triangles as they were at the start, to know again those that no insertion touched.
+class Untouched {
+ public:
+  Untouched(const Mesh& mesh, std::span<const TriangleId> targets)
+      : is_target_(mesh.triangle_count(), false) {
+    for (const TriangleId t : targets) is_target_[t.index()] = true;
+    if (targets.size() == mesh.triangle_count()) return;
+    for (const Triangle& t : mesh.triangles()) before_.push_back(t.vertices);
+  }
 
-// Lists the triangles that `breaks` a bound, each with its reason.
-template <class Breaks>
-RefineReport report(const Mesh& mesh, const Refiner& refiner, Breaks breaks) {
+  bool operator()(const Mesh& mesh, TriangleId t) const {
+    return t.index() < before_.size() && !is_target_[t.index()] &&
+           before_[t.index()] == mesh.vertices(t);
+  }
+
+ private:
+  std::vector<bool> is_target_;
+  std::vector<std::array<VertexId, 3>> before_;
+};
+
+RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule obtuse,
+                             const Untouched& untouched, Reason otherwise) {
   RefineReport result;
-  result.steiner_points = refiner.steiner_points();
   result.goal_reached = true;
+  const double floor = default_size_floor(mesh);
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
-    const auto broken = breaks(t);
-    if (!broken) continue;
-    auto reason = refiner.own_reason();
-    if (*broken != Broken::size)
-      reason = reason_in_input(mesh, t, refiner.floor()).value_or(reason);
+    if (untouched(mesh, t)) continue;
+    const bool too_large = bounds.excess(mesh, t) > 1;
+    const bool obtuse_left = obtuse == ObtuseRule::split_first && faces_obtuse_constrained(mesh, t);
+    if (!too_large && !obtuse_left && !bounds.poor(mesh, t)) continue;
+    Reason reason = otherwise;
+    if (!too_large) reason = reason_in_input(mesh, t, floor).value_or(otherwise);
     result.unfinished.push_back({t, reason});
     if (!is_forced_by_input(reason)) result.goal_reached = false;
   }
   return result;
 }
 
+std::vector<TriangleId> all_triangles(const Mesh& mesh) {
+  std::vector<TriangleId> all;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) all.emplace_back(t);
+  return all;
+}
+
 }  // namespace
 
-RefineReport refine(Mesh& mesh, const RefineOptions& options) {
-  check(options);
-  const Bounds bounds(options);
-  Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) { return bounds.badness(m, t); });
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) refiner.add_target(TriangleId(t));
-  refiner.run();
-  return report(mesh, refiner, [&](TriangleId t) -> std::optional<Broken> {
-    if (bounds.excess(mesh, t) > 1) return Broken::size;
-    if (bounds.small_angle(mesh, t)) return Broken::angle;
-    const bool obtuse = options.obtuse == ObtuseRule::split_first;
-    if (obtuse && faces_obtuse_constrained(mesh, t)) return Broken::angle;
-    return std::nullopt;
-  });
+QualityIndicator smallest_angle_indicator(double bound_deg) {
+  // q = -cos^2 of the smallest angle grows with the angle and needs neither acos nor sqrt.
+  QualityIndicator indicator;
+  indicator.q = [](const Mesh& mesh, TriangleId t) {
+    const auto [a, b, c] = mesh.corners(t);
+    return -squared_cos_of_smallest_angle(a, b, c);
+  };
+  const double bound = (bound_deg - 1e-9) * std::numbers::pi / 180;
+  indicator.epsilon = bound_deg > 0 ? -std::pow(std::cos(bound), 2) : -1;
+  return indicator;
 }
 
 RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                      const QualityIndicator& quality, const RefineOptions& options) {
   check(options);
-  // Triangles that descend from a target are those that changed since; the others keep their ids
-  // and corners and are never asked.
-  Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) -> std::optional<double> {
-    const double q = quality.q(m, t);
-    if (!(q < quality.epsilon)) return std::nullopt;
-    return quality.epsilon - q;
-  });
+  const Bounds bounds(options, quality);
+  const Untouched untouched(mesh, targets);
+  Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) { return bounds.judge(m, t); });
   for (const TriangleId t : targets) refiner.add_target(t);
   refiner.run();
-  return report(mesh, refiner, [&](TriangleId t) -> std::optional<Broken> {
-    if (quality.q(mesh, t) < quality.epsilon) return Broken::angle;
-    return std::nullopt;
-  });
+  RefineReport report =
+      list_unfinished(mesh, bounds, options.obtuse, untouched, refiner.own_reason());
+  report.steiner_points = refiner.steiner_points();
+  return report;
+}
+
+RefineReport refine(Mesh& mesh, const RefineOptions& options) {
+  check(options);
+  const auto targets = all_triangles(mesh);
+  return improve(mesh, targets, smallest_angle_indicator(options.min_angle_deg), options);
+}
+
+RefineReport judge(const Mesh& mesh, const RefineOptions& options, Reason otherwise) {
+  const QualityIndicator quality = smallest_angle_indicator(options.min_angle_deg);
+  const Bounds bounds(options, quality);
+  const Untouched untouched(mesh, all_triangles(mesh));
+  return list_unfinished(mesh, bounds, options.obtuse, untouched, otherwise);
 }
 
 }  // namespace lepp

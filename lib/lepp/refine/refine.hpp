@@ -49,17 +49,31 @@ struct RefineReport {
 /// Cost     O(log n) per Steiner point. Source [rivara1999]; docs/algorithms/refine.md
 RefineReport refine(Mesh& mesh, const RefineOptions& options = {});
 
+/// What refine() would find unfinished in `mesh`, without inserting anything. Triangles that the
+/// input does not excuse carry the reason `otherwise`.
+RefineReport judge(const Mesh& mesh, const RefineOptions& options, Reason otherwise);
+
 /// A caller's measure of how good a triangle is, and what is good enough (q(t) >= epsilon).
 struct QualityIndicator {
+  enum class Measures {
+    shape,  ///< triangles whose shape the input forces are left alone
+    size,   ///< any triangle can be made good by making it smaller
+  };
   std::function<double(const Mesh&, TriangleId)> q;
   double epsilon = 0;
+  Measures measures = Measures::shape;
 };
+
+/// The smallest angle in degrees, wanted to be at least `bound_deg`: what refine() asks for.
+QualityIndicator smallest_angle_indicator(double bound_deg);
 
 /// The triangulation improvement problem (Definition 3 of the paper, by its Figure 3): for each
 /// target, Delaunay insertions at the end of its LEPP until it is gone or q(t) >= epsilon; new
-/// triangles below epsilon become targets too.
+/// triangles below epsilon become targets too. Bad triangles that are no target, and do not
+/// change, are left alone. `options` means what it means to refine(), but for min_angle_deg, whose
+/// place `quality` takes.
 /// \pre     `mesh` satisfies M1 to M6; every id in `targets` is one of its triangles
-/// \return  as refine(); `unfinished` lists triangles with q < epsilon that descend from targets
+/// \return  as refine(); `unfinished` leaves out triangles that were bad, no target, and unchanged
 RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                      const QualityIndicator& quality, const RefineOptions& options = {});
 

@@ -113,7 +113,7 @@ double area(const Mesh& mesh, TriangleId t) {
 template <class T>
 void keep_distinct(std::vector<T>& values) {
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 // The curves that an edge is a piece of, each once, ascending.
@@ -175,6 +175,11 @@ std::vector<double> measure_groups(const Mesh& mesh) {
     for (const GroupId group : entities.surfaces[s].groups) measures[group.index()].add(areas[s]);
   }
   return values_of(measures);
+}
+
+bool is_below(const Mesh& mesh, TriangleId t, double min_angle_deg) {
+  const auto [a, b, c] = mesh.corners(t);
+  return std::ranges::min(angles_deg(a, b, c)) < min_angle_deg - 1e-9;
 }
 
 double total_area(const Mesh& mesh) {

@@ -32,6 +32,9 @@ struct Quality {
 /// Measures every triangle and edge once. \pre M1 to M3. Cost O(triangles).
 Quality measure(const Mesh& mesh);
 
+/// True if the smallest angle of `t` is below the bound, less 1e-9 degrees.
+bool is_below(const Mesh& mesh, TriangleId t, double min_angle_deg);
+
 /// Length of each curve entity and area of each surface entity, indexed by id.
 struct EntityMeasures {
   std::vector<double> curve_lengths;

@@ -74,6 +74,7 @@ class RegionFinder {
   // The surfaces that are entered or left where edge e is crossed.
   SurfaceSet toggled_by(HalfEdge e) const {
     SurfaceSet set;
+    if (!mesh_.is_constrained(e)) return set;
     for (const SegmentId s : mesh_.segments_of(e)) {
       const auto& curve = mesh_.segments()[s.index()].curve;
       if (!curve) continue;

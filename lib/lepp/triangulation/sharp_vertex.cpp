@@ -104,7 +104,7 @@ std::vector<SegmentId> segments_at(const Mesh& mesh, VertexId v) {
     });
   }
   std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

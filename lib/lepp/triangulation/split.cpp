@@ -17,8 +17,8 @@ Insertion finish(Mesh& mesh, VertexId v, std::vector<HalfEdge>& suspects) {
   for (const HalfEdge e : suspects) insertion.changed.push_back(e.triangle);
   restore_delaunay(mesh, suspects, &insertion.changed);
   std::ranges::sort(insertion.changed);
-  const auto repeated = std::ranges::unique(insertion.changed);
-  insertion.changed.erase(repeated.begin(), repeated.end());
+  insertion.changed.erase(std::unique(insertion.changed.begin(), insertion.changed.end()),
+                          insertion.changed.end());
   return insertion;
 }
 

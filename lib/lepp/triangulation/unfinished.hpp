@@ -14,6 +14,7 @@ enum class Reason {
   size_floor,     ///< a split would make edges too short for the coordinates
   budget,         ///< --max-vertices, or the default budget, is used up
   cancelled,      ///< the caller said stop
+  method,         ///< the method asked for does not promise more (the paper's post-process)
 };
 std::string to_string(Reason reason);
 

@@ -9,13 +9,15 @@
 namespace lepp {
 
 /// The part of a vertex's Voronoi box (control volume) that lies in one region: the points of the
-/// region that are nearer to `vertex` than to any other vertex of the region.
+/// region that are nearer to `vertex` than to any other vertex of the region. Constrained edges are
+/// walls: a box does not reach beyond one, nor do vertices there bound it.
 struct VoronoiBox {
   VertexId vertex;
   SurfaceId region;
   double area = 0;  ///< > 0
-  /// Convex counter-clockwise pieces, one per triangle that the box meets: piece i is
-  /// VoronoiBoxes::corners[piece_begin + i] ... They do not overlap and together are the box.
+  /// Convex counter-clockwise pieces, at least one per triangle that the box meets:
+  /// VoronoiBoxes::piece(first_piece) ... piece(first_piece + pieces - 1). They do not overlap and
+  /// together are the box.
   std::uint32_t first_piece = 0, pieces = 0;
 };
 
@@ -41,10 +43,11 @@ struct VoronoiBoxes {
   }
 };
 
-/// Cuts every triangle into the parts that belong to each nearby vertex, by half-planes between
-/// neighbours, and collects the parts. Uses no cotangent and no angle, so it is an independent
-/// check of edge_factors(). The boxes make a finite-volume scheme only if the mesh is admissible.
+/// Cuts from the triangles around each vertex, and from those it sees beyond them, what is nearer
+/// to it than to its neighbours. Uses no cotangent and no angle, so it is an independent check of
+/// edge_factors(). The boxes make a finite-volume scheme only if the mesh is admissible.
 /// \pre  `mesh` satisfies M1 to M4.  Cost O(triangles) for bounded vertex degree.
+/// docs/algorithms/voronoi.md has the steps and the rounding.
 VoronoiBoxes voronoi_boxes(const Mesh& mesh);
 
 /// Area of each vertex's box, all regions together; indexed by vertex.
@@ -62,7 +65,7 @@ struct EdgeFactor {
 
 /// Edge factors per edge and region, sorted by k, l, region. An interior edge that is constrained
 /// counts each side on its own, because each side must be >= 0 there; then it has two entries.
-/// \pre  M1 to M4.  Source: docs/algorithms/voronoi.md; ALGORITHMS 8.2 [eymard2000]
+/// \pre  M1 to M4.  Source [eymard2000]; docs/algorithms/voronoi.md
 std::vector<EdgeFactor> edge_factors(const Mesh& mesh);
 
 }  // namespace lepp

@@ -1,0 +1,110 @@
+#include <chrono>
+#include <map>
+#include <memory>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "outputs.hpp"
+#include "pipeline.hpp"
+
+namespace lepp::cli {
+
+namespace {
+
+struct MeshCommand {
+  std::filesystem::path input;
+  OutputOptions output;
+  MeshOptions mesh;
+  GmshOptions gmsh;
+  std::string json;
+  bool no_nonobtuse = false, split_crossings = false, allow_unfinished = false, quiet = false;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int run(MeshCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  check_mesh_target(command.output, command.input);
+  command.mesh.nonobtuse = !command.no_nonobtuse;
+  command.mesh.crossings = command.split_crossings ? Crossings::split : Crossings::refuse;
+  const Input input = read_input(command.input, command.gmsh);
+  const double reading = seconds_since(start);
+  Meshed meshed = make_mesh(input, command.mesh);
+  RunReport& report = meshed.report;
+  report.input = command.input.string();
+  report.seconds.read = reading;
+
+  int status = done;
+  if (!*report.valid) status = bug;
+  else if (interrupted()) status = refused;
+  else if (!*report.goal_reached) status = unfinished;
+  if (status == done || (status == unfinished && command.allow_unfinished)) {
+    const auto writing = std::chrono::steady_clock::now();
+    write_mesh(meshed.mesh, command.output);
+    report.output = command.output.target.string();
+    report.seconds.write = seconds_since(writing);
+  } else if (status == unfinished) {
+    report.warnings.push_back(
+        "the goal was not reached, so nothing was written; "
+        "--allow-unfinished writes the valid mesh all the same");
+  }
+  report.seconds.total = seconds_since(start);
+  report.peak_memory_bytes = peak_memory_bytes();
+  print_report(report, command.json, command.quiet);
+  return status;
+}
+
+void add_quality_options(CLI::App& app, MeshCommand& command) {
+  RefineOptions& refine = command.mesh.refine;
+  app.add_option("--min-angle", refine.min_angle_deg, "smallest angle wanted, 0 to 45 degrees")
+      ->capture_default_str();
+  app.add_option("--max-edge", refine.max_edge, "longest edge wanted");
+  app.add_option("--max-area", refine.max_area, "largest triangle wanted");
+  app.add_option("--max-vertices", refine.max_vertices,
+                 "budget of vertices (default: 50 times what input and sizes suggest)");
+  static const std::map<std::string, Method> methods{{"unified", Method::unified},
+                                                     {"paper", Method::paper}};
+  app.add_option("--method", command.mesh.method,
+                 "unified: angles and obtuse angles in one loop; paper: the paper's two steps")
+      ->transform(CLI::CheckedTransformer(methods, CLI::ignore_case));
+  static const std::map<std::string, Placement> placements{{"centroid", Placement::centroid},
+                                                           {"midpoint", Placement::midpoint}};
+  app.add_option("--placement", refine.placement, "where a new point goes (default centroid)")
+      ->transform(CLI::CheckedTransformer(placements, CLI::ignore_case));
+  app.add_flag("--no-nonobtuse", command.no_nonobtuse,
+               "leave obtuse angles opposite boundary and interface edges");
+}
+
+}  // namespace
+
+void add_mesh_command(CLI::App& app, int& status) {
+  const auto command = std::make_shared<MeshCommand>();
+  CLI::App& mesh = *app.add_subcommand("mesh", "Make a mesh, or improve one, and certify it");
+  mesh.add_option("IN", command->input, ".geo, .msh, .poly, .node or .ele")->required();
+  mesh.add_option("-o,--output", command->output.target, ".msh, .vtu or .ele")->required();
+  add_quality_options(mesh, *command);
+  add_gmsh_options(mesh, command->gmsh);
+  mesh.add_flag("--split-crossings", command->split_crossings,
+                "give crossing segments a common point instead of refusing them");
+  mesh.add_flag("--remesh", command->mesh.remesh,
+                "of a mesh keep only outline, interfaces and lines, and start anew");
+  mesh.add_flag("--allow-unfinished", command->allow_unfinished,
+                "write a valid mesh even if the goal was not reached (status 3)");
+  mesh.add_option("--format", command->output.format, "of .msh output")
+      ->check(CLI::IsMember({"msh41", "msh22"}))
+      ->capture_default_str();
+  mesh.add_option("--json", command->json, "write the report as JSON to a file, or - for stdout");
+  mesh.add_flag("--force", command->output.force, "overwrite the output");
+  mesh.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
+  mesh.footer(
+      "Examples:\n"
+      "  lepp mesh plate.geo -o plate.msh\n"
+      "  lepp mesh plate.geo -o plate.msh --max-edge 0.05 --json report.json\n"
+      "  lepp mesh old.msh -o better.msh --min-angle 28\n"
+      "  lepp mesh plate.poly -o plate.ele --method paper");
+  mesh.callback([command, &status] { status = run(*command); });
+}
+
+}  // namespace lepp::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lepp/io/msh.hpp"
+#include "lepp/io/report.hpp"
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp::cli {
+
+/// Where results go and what may be overwritten.
+struct OutputOptions {
+  std::filesystem::path target;
+  std::string format = "msh41";  ///< of .msh files
+  bool force = false;
+};
+
+/// The files that writing a mesh to `target` makes: X.ele stands for X.node, X.ele and X.poly.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& target);
+
+/// Asked before any work: \throw InputError for a kind of file that is no mesh format, OutputError
+/// for a target that exists (without `force`) or is the input (always).
+void check_mesh_target(const OutputOptions& options, const std::filesystem::path& input);
+void check_target(const std::filesystem::path& target, const std::filesystem::path& input,
+                  bool force);
+
+/// Writes .msh, .vtu or .ele, as the name says.
+void write_mesh(const Mesh& mesh, const OutputOptions& options);
+
+/// Writes a small text to a file, or to standard output if `target` is "-".
+void write_text(const std::string& target, const std::string& text);
+
+/// Prints the report: as JSON to `json` ("-" is standard output) if it is not empty, and as text
+/// unless `quiet`, to standard output or, if JSON is there, to standard error.
+void print_report(const RunReport& report, const std::string& json, bool quiet);
+
+}  // namespace lepp::cli

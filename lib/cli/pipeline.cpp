@@ -1,0 +1,133 @@
+#include "pipeline.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "interrupt.hpp"
+#include "lepp/nonobtuse/nonobtuse.hpp"
+#include "lepp/triangulation/flip.hpp"
+#include "lepp/triangulation/quality.hpp"
+#include "lepp/triangulation/validate.hpp"
+#include "lepp/voronoi/admissible.hpp"
+
+namespace lepp::cli {
+
+namespace {
+
+// Runs `work` and returns how many seconds it took.
+template <class Work>
+double timed(Work work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+class Pipeline {
+ public:
+  Pipeline(const Input& input, const MeshOptions& options) : input_(input), options_(options) {}
+
+  Meshed run() {
+    report_.warnings = input_.warnings;
+    report_.seconds.triangulate = timed([&] { triangulate(); });
+    note_stage("triangulate", mesh_.vertex_count());
+    report_.input_vertices = mesh_.vertex_count();
+    Progress progress;
+    RefineOptions refine_options = options_.refine;
+    refine_options.progress = [&](std::size_t vertices) { return progress(vertices); };
+    report_.seconds.refine = timed([&] { raise_angles(refine_options); });
+    note_stage("refine", report_.input_vertices);
+    if (options_.method == Method::paper && options_.nonobtuse) {
+      const std::size_t before = mesh_.vertex_count();
+      report_.seconds.nonobtuse = timed([&] { remove_obtuse_angles(); });
+      note_stage("nonobtuse", before);
+    }
+    finish();
+    return {std::move(mesh_), std::move(report_)};
+  }
+
+ private:
+  bool is_improvement() const { return input_.triangles && !options_.remesh; }
+
+  void triangulate() {
+    Triangulation made;
+    if (is_improvement()) {
+      made = mesh_from_triangles(*input_.triangles);
+      make_delaunay(made.mesh);
+    } else {
+      made = constrained_delaunay(input_.pslg, {options_.crossings});
+    }
+    mesh_ = std::move(made.mesh);
+    const auto& found = made.report.warnings;
+    report_.warnings.insert(report_.warnings.end(), found.begin(), found.end());
+  }
+
+  void raise_angles(RefineOptions options) {
+    const bool paper = options_.method == Method::paper;
+    if (paper) options.placement = Placement::midpoint;
+    const bool together = options_.nonobtuse && !paper;
+    options.obtuse = together ? ObtuseRule::split_first : ObtuseRule::ignore;
+    refined_ = is_improvement() ? improve_old_mesh(options) : refine(mesh_, options);
+  }
+
+  // Definition 3 of the paper: the targets are the triangles below the bound, or too large.
+  RefineReport improve_old_mesh(const RefineOptions& options) {
+    std::vector<TriangleId> all;
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) all.emplace_back(t);
+    return improve(mesh_, all, smallest_angle_indicator(options.min_angle_deg), options);
+  }
+
+  // The post-process may leave angles below the bound and moves triangles, so what is unfinished
+  // is judged anew, without inserting anything more.
+  void remove_obtuse_angles() {
+    NonobtuseOptions nonobtuse;
+    nonobtuse.max_vertices = options_.refine.max_vertices;
+    const NonobtuseReport removed = make_boundary_nonobtuse(mesh_, nonobtuse);
+    RefineOptions asked = options_.refine;
+    asked.obtuse = ObtuseRule::split_first;
+    const RefineReport judged =
+        judge(mesh_, asked, refined_.goal_reached ? Reason::method : Reason::budget);
+    refined_.unfinished = judged.unfinished;
+    refined_.goal_reached = judged.goal_reached && removed.goal_reached;
+  }
+
+  void note_stage(const std::string& name, std::size_t vertices_before) {
+    report_.stages.push_back({name, measure(mesh_), mesh_.vertex_count() - vertices_before});
+  }
+
+  void finish() {
+    Certificate certificate;
+    report_.seconds.voronoi = timed([&] { certificate = certify(mesh_, voronoi_boxes(mesh_)); });
+    report_.seconds.check = timed([&] { check(); });
+    report_.quality = measure(mesh_);
+    report_.steiner_points = mesh_.vertex_count() - report_.input_vertices;
+    report_.below_bound = count_reasons(refined_.unfinished);
+    report_.goal_reached = refined_.goal_reached;
+    report_.admissible = certificate.admissible;
+    report_.offending_edges = offending_edges(mesh_, certificate);
+    report_.groups = group_figures(mesh_);
+  }
+
+  void check() {
+    MeshClaims claims;
+    if (options_.refine.min_angle_deg > 0) claims.min_angle_deg = options_.refine.min_angle_deg;
+    claims.nonobtuse = options_.nonobtuse;
+    claims.unfinished = refined_.unfinished;
+    const MeshReport checked = validate(mesh_, claims);
+    report_.valid = checked.valid();
+    report_.violations = checked.violations;
+  }
+
+  const Input& input_;
+  const MeshOptions& options_;
+  Mesh mesh_;
+  RefineReport refined_;
+  RunReport report_;
+};
+
+}  // namespace
+
+Meshed make_mesh(const Input& input, const MeshOptions& options) {
+  return Pipeline(input, options).run();
+}
+
+}  // namespace lepp::cli

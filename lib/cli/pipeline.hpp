@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "inputs.hpp"
+#include "lepp/io/report.hpp"
+#include "lepp/refine/refine.hpp"
+
+namespace lepp::cli {
+
+enum class Method {
+  unified,  ///< one loop for angles and obtuse angles
+  paper,    ///< refinement with midpoints, then the nonobtuse post-process
+};
+
+struct MeshOptions {
+  RefineOptions refine;
+  Method method = Method::unified;
+  bool nonobtuse = true;
+  bool remesh = false;  ///< of a mesh file keep only the outline, interfaces and lines
+  Crossings crossings = Crossings::refuse;
+};
+
+/// A mesh with everything that was found out about it.
+struct Meshed {
+  Mesh mesh;
+  RunReport report;
+};
+
+/// From geometry, or from a mesh that exists, to a mesh that was refined, certified and checked
+/// from scratch. Fills all of the report but reading and writing.
+/// \throw Error  as the stages do
+Meshed make_mesh(const Input& input, const MeshOptions& options);
+
+}  // namespace lepp::cli

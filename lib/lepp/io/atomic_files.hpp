@@ -1,0 +1,79 @@
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lepp {
+
+/// A file being written, through a buffer of a megabyte. Numbers are written by to_chars, doubles
+/// in the shortest form that reads back as the same double; no locale is asked.
+/// AtomicFiles makes it, and gives it its name.
+class OutputFile {
+ public:
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+
+  /// \throw OutputError  when the buffer cannot be written: disk full, size limit, ...
+  OutputFile& operator<<(std::string_view text);
+  OutputFile& operator<<(char c) { return *this << std::string_view(&c, 1); }
+  OutputFile& operator<<(double number);
+  OutputFile& operator<<(std::integral auto number) {
+    return *this << std::string_view(std::to_string(number));
+  }
+  /// A number with `decimals` digits after the point, for pictures.
+  OutputFile& fixed(double number, int decimals);
+
+ private:
+  friend class AtomicFiles;
+  explicit OutputFile(const std::filesystem::path& target);
+
+  void open_temporary();
+  void open_device();
+  void flush();
+  void close();        // flush, fsync, close
+  void keep_old();     // gives the old file a second name
+  void rename();       // temporary to target
+  void restore_old();  // undoes rename()
+  void remove_temporaries();
+  [[noreturn]] void fail(std::string_view doing, int error) const;
+
+  std::string name_;              // as the caller wrote it, for messages
+  std::filesystem::path target_;  // symbolic links resolved
+  std::filesystem::path temporary_, old_;
+  std::string buffer_;
+  int descriptor_ = -1;
+};
+
+/// A set of files that appear together, complete, or not at all.
+///
+/// Each is written to a temporary file beside its target. commit() writes out the buffers, fsyncs
+/// and closes every file, checks all of it, and only then renames. Whatever fails before, during or
+/// instead of commit(): no temporary is left and the old files are as they were. (A file system
+/// without hard links cannot bring back the first old files of a set when a later rename fails.)
+/// A target that is a device, a terminal or a pipe is written to directly. Whether an existing file
+/// may be replaced is the caller's question.
+/// A process with a limit on file size should ignore SIGXFSZ; then the limit is an OutputError.
+class AtomicFiles {
+ public:
+  AtomicFiles() = default;
+  AtomicFiles(const AtomicFiles&) = delete;
+  AtomicFiles& operator=(const AtomicFiles&) = delete;
+  ~AtomicFiles();
+
+  /// Starts the temporary file of `target`; the result lives as long as the set.
+  /// \throw OutputError  no such folder, no permission, the target is a folder, ...
+  OutputFile& add(const std::filesystem::path& target);
+
+  /// \throw OutputError  naming the file and what the system said
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<OutputFile>> files_;
+};
+
+}  // namespace lepp

@@ -1,0 +1,166 @@
+#include "lepp/io/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "lepp/io/atomic_files.hpp"
+
+namespace lepp {
+
+namespace {
+
+// Light fills that stay apart in print and for most colour-blind readers; regions take turns.
+constexpr std::array<std::string_view, 8> fills = {"#cfe3f2", "#fbe3c0", "#d5ecd0", "#f3d1d6",
+                                                   "#e3d9ef", "#f7f2c4", "#cdebe9", "#e6dfd3"};
+constexpr std::string_view edge_color = "#7d8b99", inside_color = "#b3541e",
+                           boundary_color = "#1d2b3a", box_color = "#2a7f62";
+constexpr double margin = 10;
+
+// From coordinates of the mesh to the drawing: the corner is subtracted first, y points down.
+class Frame {
+ public:
+  Frame(std::span<const Point> points, double longest_side) {
+    for (const Point p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+    scale_ = longest_side / std::max(high_.x - low_.x, high_.y - low_.y);
+  }
+
+  double width() const { return 2 * margin + scale_ * (high_.x - low_.x); }
+  double height() const { return 2 * margin + scale_ * (high_.y - low_.y); }
+  Point place(Point p) const {
+    return {margin + scale_ * (p.x - low_.x), margin + scale_ * (high_.y - p.y)};
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point low_{infinity, infinity}, high_{-infinity, -infinity};
+  double scale_ = 1;
+};
+
+// Paths of an SVG drawing.
+class Drawing {
+ public:
+  Drawing(OutputFile& out, const Frame& frame) : out_(out), frame_(frame) {
+    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
+    out_.fixed(frame.width(), 1) << "\" height=\"";
+    out_.fixed(frame.height(), 1) << "\" viewBox=\"0 0 ";
+    out_.fixed(frame.width(), 1) << ' ';
+    out_.fixed(frame.height(), 1)
+        << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  }
+
+  void open_path(std::string_view fill, std::string_view stroke, double stroke_width) {
+    out_ << "<path fill=\"" << fill << "\" stroke=\"" << stroke << "\" stroke-width=\"";
+    out_.fixed(stroke_width, 2) << "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" d=\"";
+  }
+  void move(Point p) { place('M', p); }
+  void line(Point p) { place('L', p); }
+  void close_ring() { out_ << "Z\n"; }
+  void close_path() { out_ << "\"/>\n"; }
+  void end() { out_ << "</svg>\n"; }
+
+ private:
+  void place(char command, Point p) {
+    const Point at = frame_.place(p);
+    out_ << command;
+    out_.fixed(at.x, 2) << ' ';
+    out_.fixed(at.y, 2);
+  }
+
+  OutputFile& out_;
+  const Frame& frame_;
+};
+
+// The triangles of each region; one path each.
+void draw_triangles(Drawing& drawing, const Mesh& mesh, double stroke) {
+  std::vector<std::vector<TriangleId>> of_region;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const std::size_t region = mesh.region(TriangleId(i)).index();
+    if (region >= of_region.size()) of_region.resize(region + 1);
+    of_region[region].emplace_back(i);
+  }
+  for (std::size_t region = 0; region < of_region.size(); ++region) {
+    if (of_region[region].empty()) continue;
+    drawing.open_path(fills[region % fills.size()], edge_color, stroke);
+    for (const TriangleId t : of_region[region]) {
+      const auto [a, b, c] = mesh.corners(t);
+      drawing.move(a);
+      drawing.line(b);
+      drawing.line(c);
+      drawing.close_ring();
+    }
+    drawing.close_path();
+  }
+}
+
+void draw_edges(Drawing& drawing, const Mesh& mesh, std::string_view color, double stroke,
+                auto is_drawn) {
+  drawing.open_path("none", color, stroke);
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge e{TriangleId(i), k};
+      if (!is_drawn(e)) continue;
+      drawing.move(mesh.point(mesh.origin(e)));
+      drawing.line(mesh.point(mesh.destination(e)));
+    }
+  }
+  drawing.close_path();
+}
+
+// True if pq runs along a side of the triangle, as far as rounding lets one tell.
+bool runs_along_a_side(const std::array<Point, 3>& triangle, Point p, Point q) {
+  constexpr double tolerance = 1e-9;  // of the side's length
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = triangle[i], side = triangle[(i + 1) % 3] - a;
+    const double allowed = tolerance * dot(side, side);
+    if (std::abs(cross(side, p - a)) <= allowed && std::abs(cross(side, q - a)) <= allowed) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The faces between boxes: sides of pieces that do not run along a side of their triangle, because
+// there only two pieces of one box meet, or a constrained edge is drawn already.
+void draw_boxes(Drawing& drawing, const Mesh& mesh, const VoronoiBoxes& boxes, double stroke) {
+  drawing.open_path("none", box_color, stroke);
+  for (std::uint32_t i = 0; i < boxes.piece_triangle.size(); ++i) {
+    const auto corners = boxes.piece(i);
+    const auto triangle = mesh.corners(boxes.piece_triangle[i]);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Point p = corners[k], q = corners[(k + 1) % corners.size()];
+      if (q < p || runs_along_a_side(triangle, p, q)) continue;  // each face from one side
+      drawing.move(p);
+      drawing.line(q);
+    }
+  }
+  drawing.close_path();
+}
+
+}  // namespace
+
+void write_picture(const Mesh& mesh, const std::filesystem::path& path,
+                   const PictureOptions& options) {
+  const Frame frame(mesh.points(), options.width);
+  const double stroke = options.width / 1000;  // thinner lines in a smaller drawing
+  AtomicFiles files;
+  Drawing drawing(files.add(path), frame);
+  draw_triangles(drawing, mesh, 0.6 * stroke);
+  if (options.boxes != nullptr) draw_boxes(drawing, mesh, *options.boxes, 0.9 * stroke);
+  draw_edges(drawing, mesh, inside_color, 1.8 * stroke, [&](HalfEdge e) {
+    const auto across = mesh.twin(e);
+    return mesh.is_constrained(e) && across && e < *across;
+  });
+  draw_edges(drawing, mesh, boundary_color, 2.6 * stroke,
+             [&](HalfEdge e) { return mesh.is_boundary(e); });
+  drawing.end();
+  files.commit();
+}
+
+}  // namespace lepp

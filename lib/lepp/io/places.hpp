@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "lepp/geometry/point.hpp"
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// A point well inside each connected part of the mesh, where constrained edges separate parts:
+/// the centroid of its widest triangle. In the order of the parts' first triangles.
+struct Place {
+  Point at;
+  SurfaceId region;
+};
+std::vector<Place> places_of_parts(const Mesh& mesh);
+
+/// A point well inside each hole: an area without mesh that boundary edges close off.
+/// Found by triangulating the boundary edges alone. Cost O(n + b log b), b boundary edges.
+std::vector<Point> places_of_holes(const Mesh& mesh);
+
+}  // namespace lepp

@@ -1,0 +1,43 @@
+# lepp::io, files in and out. fmt and nlohmann-json are header-only here, so nothing is left to link.
+add_library(lepp_io
+  lepp/io/atomic_files.cpp
+  lepp/io/entity_table.cpp
+  lepp/io/geo.cpp
+  lepp/io/gmsh_chords.cpp
+  lepp/io/gmsh_curve_fit.cpp
+  lepp/io/gmsh_element_types.cpp
+  lepp/io/gmsh_groups.cpp
+  lepp/io/gmsh_import.cpp
+  lepp/io/gmsh_mesh_file.cpp
+  lepp/io/gmsh_pieces.cpp
+  lepp/io/gmsh_process.cpp
+  lepp/io/gmsh_pslg.cpp
+  lepp/io/gmsh_record.cpp
+  lepp/io/gmsh_rules.cpp
+  lepp/io/gmsh_script.cpp
+  lepp/io/gmsh_soup.cpp
+  lepp/io/gmsh_statements.cpp
+  lepp/io/gmsh_tokens.cpp
+  lepp/io/line_reader.cpp
+  lepp/io/loops.cpp
+  lepp/io/msh.cpp
+  lepp/io/msh_entities.cpp
+  lepp/io/picture.cpp
+  lepp/io/places.cpp
+  lepp/io/plot.cpp
+  lepp/io/poly_read.cpp
+  lepp/io/poly_write.cpp
+  lepp/io/report.cpp
+  lepp/io/report_text.cpp
+  lepp/io/text_file.cpp
+  lepp/io/vtu.cpp)
+add_library(lepp::io ALIAS lepp_io)
+target_compile_features(lepp_io PUBLIC cxx_std_20)
+target_include_directories(lepp_io PUBLIC
+  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:include>)
+# $<BUILD_INTERFACE:> keeps the two out of the exported targets of a static build.
+target_link_libraries(lepp_io PUBLIC lepp::core PRIVATE
+  $<BUILD_INTERFACE:fmt::fmt-header-only> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+target_compile_options(lepp_io PRIVATE -ffp-contract=off)
+set_target_properties(lepp_io PROPERTIES EXPORT_NAME io OUTPUT_NAME lepp_io
+  VERSION ${PROJECT_VERSION} SOVERSION 0 POSITION_INDEPENDENT_CODE ON)

@@ -1,0 +1,3 @@
+// Would end Gmsh, and with it the program that uses it.
+Point(1) = {0, 0, 0};
+Exit;

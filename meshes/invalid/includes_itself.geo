@@ -1,0 +1,2 @@
+// Never ends.
+Include "includes_itself.geo";

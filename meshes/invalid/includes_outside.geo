@@ -1,0 +1,2 @@
+// Reads a file that is none of this folder's.
+Include "../valid/annulus.geo";

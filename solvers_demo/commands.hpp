@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "group_options.hpp"
+
+namespace lepp::demo {
+
+/// What `lepp-poisson` was asked for.
+struct CommandLine {
+  std::string mesh;    ///< .msh or .ele
+  std::string method;  ///< fe or fv
+  GroupOptions groups;
+  std::string output;  ///< .vtu, or empty
+  std::string json;    ///< file, "-" for the standard output, or empty
+  bool allow_inadmissible = false;
+  std::string folder = ".";  ///< where the two demonstrations write
+};
+
+/// Exit status of the program (the same as that of `lepp`).
+enum ExitStatus : int {
+  done = 0,
+  usage = 1,
+  bad_input = 2,
+  goal_missed = 3,
+  refused = 4,
+  not_written = 5,
+  our_bug = 6,
+};
+
+/// Reads a mesh, solves the problem of the options on it, prints a report, writes u.
+/// \throw Error
+ExitStatus run_solve(const CommandLine& line);
+
+/// Prints the table of errors and orders; writes the diagram and the solutions.
+/// \return goal_missed if an order is below what these methods must have
+ExitStatus run_convergence_study(const CommandLine& line);
+
+/// Prints what each scheme makes of the thin plate on two meshes; writes solutions and pictures.
+/// \return goal_missed if the outcome is not the expected one
+ExitStatus run_maximum_principle(const CommandLine& line);
+
+/// Writes a report for machines to a file or, for "-", to the standard output.
+/// \throw OutputError
+void write_json(const std::string& where, const std::string& text);
+
+/// Makes the folder if it is not there.
+/// \throw OutputError
+std::filesystem::path make_folder(const std::string& name);
+
+}  // namespace lepp::demo

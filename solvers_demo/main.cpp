@@ -1,0 +1,109 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+
+#include "commands.hpp"
+#include "lepp/geometry/error.hpp"
+#include "lepp/geometry/predicates.hpp"
+
+namespace lepp::demo {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  lepp-poisson plate.msh --dirichlet left=0 --dirichlet right=1 -o u.vtu
+  lepp-poisson wall.msh --method fv --diffusion brick=0.6 --diffusion wool=0.04 \
+      --dirichlet inside=293 --robin outside=25,268 -o wall.vtu
+  lepp-poisson --convergence --folder out --json -
+  lepp-poisson --maximum-principle --folder out
+
+GROUP is the name or the tag of a physical group. F, V and G are numbers or sums such as
+1+2*x-0.5*y. A boundary without a condition lets nothing through. Where two --dirichlet groups
+meet, the first one given holds.)";
+
+struct Choice {
+  bool convergence = false, maximum_principle = false;
+};
+
+void describe(CLI::App& app, CommandLine& line, Choice& choice) {
+  app.footer(examples);
+  auto* mesh = app.add_option("mesh", line.mesh, "the mesh, .msh or .ele");
+  app.add_option("--method", line.method, "fe: P1 elements; fv: Voronoi boxes")
+      ->default_val("fe")
+      ->check(CLI::IsMember({"fe", "fv"}));
+  const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* shape,
+                            const char* what) {
+    app.add_option(name, values, what)
+        ->type_name(shape)
+        ->take_all()
+        ->allow_extra_args(false);  // GROUP=VALUE once per option
+  };
+  repeated("--diffusion", line.groups.diffusion, "GROUP=D", "D in a surface group (1 if none)");
+  repeated("--source", line.groups.source, "GROUP=F", "f in a surface group");
+  repeated("--dirichlet", line.groups.dirichlet, "GROUP=V", "u = V on a curve or point group");
+  repeated("--neumann", line.groups.neumann, "GROUP=G", "D du/dn = G on a curve group");
+  repeated("--robin", line.groups.robin, "GROUP=ALPHA,V", "D du/dn = ALPHA (V - u)");
+  app.add_option("-o,--output", line.output, "write the solution as .vtu");
+  app.add_option("--json", line.json, "write a report for machines; - is the standard output");
+  app.add_flag("--allow-inadmissible", line.allow_inadmissible,
+               "finite volumes on any mesh: the solution may be wrong");
+  auto* convergence = app.add_flag("--convergence", choice.convergence,
+                                   "measure the orders of both methods on six meshes");
+  auto* principle = app.add_flag("--maximum-principle", choice.maximum_principle,
+                                 "show what obtuse angles at the boundary do");
+  app.add_option("--folder", line.folder, "where the last two write their files");
+  convergence->excludes(mesh)->excludes(principle);
+  principle->excludes(mesh);
+}
+
+ExitStatus status_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::input:
+      return bad_input;
+    case ErrorKind::refused:
+      return refused;
+    case ErrorKind::output:
+      return not_written;
+  }
+  return our_bug;
+}
+
+ExitStatus run(const CommandLine& line, const Choice& choice) {
+  if (choice.convergence) return run_convergence_study(line);
+  if (choice.maximum_principle) return run_maximum_principle(line);
+  return run_solve(line);
+}
+
+}  // namespace
+}  // namespace lepp::demo
+
+int main(int argc, char** argv) {
+  using namespace lepp::demo;
+  CommandLine line;
+  Choice choice;
+  CLI::App app{"Solves -div(D grad u) = f on a mesh by finite elements or finite volumes."};
+  describe(app, line, choice);
+  try {
+    app.parse(argc, argv);
+    if (line.mesh.empty() && !choice.convergence && !choice.maximum_principle) {
+      throw CLI::RequiredError("MESH, --convergence or --maximum-principle");
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? done : usage;
+  }
+  try {
+    if (!lepp::predicates_self_test()) {
+      fmt::print(stderr, "lepp-poisson: this build breaks floating-point arithmetic\n");
+      return our_bug;
+    }
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes an error of the writer
+    return run(line, choice);
+  } catch (const lepp::Error& error) {
+    fmt::print(stderr, "lepp-poisson: {}\n", error.what());
+    return status_of(error.kind());
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "lepp-poisson: internal error: {}\n", error.what());
+    return our_bug;
+  }
+}
