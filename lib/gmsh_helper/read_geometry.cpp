@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "lepp/io/gmsh_curve_fit.hpp"
 
@@ -155,6 +156,30 @@ GmshSurface surface_of(int tag) {
   return surface;
 }
 
+/// A closed B-spline of Gmsh does not pass through the point that it begins and ends at. If nobody
+/// else has that point, it is moved onto the curve; otherwise the curve cannot be used.
+void put_ends_on(const GmshCurve& curve, GmshRecord& record) {
+  if (is_straight(curve.geometry)) return;
+  for (const auto& [tag, t] : {std::pair{curve.begin, 0.0}, std::pair{curve.end, 1.0}}) {
+    const auto point = std::find_if(record.points.begin(), record.points.end(),
+                                    [tag = tag](const GmshPoint& p) { return p.tag == tag; });
+    const Point reached = point_at(curve.geometry, t);
+    const double off = std::sqrt(squared_distance(reached, point->position));
+    if (off <= 1e-8 * curve.length) continue;
+    const auto users =
+        std::count_if(record.curves.begin(), record.curves.end(),
+                      [tag = tag](const GmshCurve& c) { return c.begin == tag || c.end == tag; });
+    if (users > 1 || curve.begin != curve.end)
+      throw GmshFailure{ErrorKind::input, "curve " + std::to_string(curve.tag),
+                        "it does not pass through its end point " + std::to_string(tag),
+                        "use a Spline, or a BSpline that is not closed"};
+    point->position = reached;
+    record.warnings.push_back("curve " + std::to_string(curve.tag) +
+                              " does not pass through its point " + std::to_string(tag) +
+                              ": the point is moved onto the curve");
+  }
+}
+
 }  // namespace
 
 void add_groups(GmshRecord& record) {
@@ -180,6 +205,7 @@ void add_geometry(GmshRecord& record) {
   for (const int tag : tags_of(0)) record.points.push_back(point_of(tag));
   for (const int tag : tags_of(1)) record.curves.push_back(curve_of(tag));
   for (const int tag : tags_of(2)) record.surfaces.push_back(surface_of(tag));
+  for (const GmshCurve& curve : record.curves) put_ends_on(curve, record);
 }
 
 }  // namespace lepp::gmsh_helper

@@ -12,7 +12,7 @@ using namespace lepp;
 
 namespace {
 
-using Wide = __extension__ __int128;
+__extension__ typedef __int128 Wide;
 
 int sign(Wide x) { return (x > 0) - (x < 0); }
 
@@ -48,8 +48,9 @@ IntegerPoint near_line(std::mt19937_64& random, std::int64_t size) {
 
 // The twelve lattice points on the circle of radius 5, scaled up, and pushed by at most one.
 IntegerPoint near_circle(std::mt19937_64& random, std::int64_t size) {
-  static constexpr std::int64_t on[12][2] = {{5, 0},  {4, 3},   {3, 4},   {0, 5},  {-3, 4}, {-4, 3},
-                                             {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
+  static constexpr std::int64_t on[12][2] = {{5, 0},   {4, 3},  {3, 4},  {0, 5},
+                                             {-3, 4},  {-4, 3}, {-5, 0}, {-4, -3},
+                                             {-3, -4}, {0, -5}, {3, -4}, {4, -3}};
   const auto& p = on[random() % 12];
   std::uniform_int_distribution<std::int64_t> off(-1, 1);
   const bool push = random() % 2 == 0;

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "io/sample_meshes.hpp"
@@ -18,6 +18,21 @@ std::size_t count(const std::string& text, const std::string& part) {
   std::size_t n = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
   return n;
+}
+
+// The length of all lines "Mx yLx y" in the path of the boxes.
+double box_lines_length(const std::string& text) {
+  const auto path = text.find("stroke=\"#2a7f62\"");
+  REQUIRE(path != std::string::npos);
+  const auto begin = text.find(" d=\"", path) + 4;
+  std::string numbers = text.substr(begin, text.find('"', begin) - begin);
+  for (char& c : numbers) {
+    if (c == 'M' || c == 'L') c = ' ';
+  }
+  std::istringstream stream(numbers);
+  double sum = 0;
+  for (Point p, q; stream >> p.x >> p.y >> q.x >> q.y;) sum += std::hypot(q.x - p.x, q.y - p.y);
+  return sum;
 }
 
 }  // namespace
@@ -62,4 +77,23 @@ TEST_CASE("boxes are drawn over the triangles, each face once") {
   write_picture(mesh, folder / "plain.svg");
   write_picture(mesh, folder / "boxes.svg", {.boxes = &boxes});
   CHECK(count(folder.text("boxes.svg"), "M") == count(folder.text("plain.svg"), "M") + 3);
+}
+
+TEST_CASE("all faces are drawn, and none twice, where rounding differs between two boxes") {
+  // Rows of points, every second one shifted by half a step: many faces are vertical up to
+  // rounding.
+  Pslg pslg;
+  for (int row = 0; row < 9; ++row) {
+    for (int i = 0; i < 9; ++i) {
+      pslg.points.push_back({i / 7.0 + (row % 2 == 0 ? 0 : 1.0 / 14), row / 8.0});
+    }
+  }
+  const Mesh mesh = constrained_delaunay(pslg).mesh;
+  const VoronoiBoxes boxes = voronoi_boxes(mesh);
+  const ScratchFolder folder;
+  write_picture(mesh, folder / "a.svg", {.boxes = &boxes});
+  double wanted = 0;
+  for (const VoronoiFace& face : boxes.faces) wanted += face.length;
+  const double scale = 1000 / (8 / 7.0 + 1 / 14.0);  // the drawing is 1000 wide
+  CHECK(box_lines_length(folder.text("a.svg")) / scale == doctest::Approx(wanted).epsilon(1e-3));
 }

@@ -46,9 +46,7 @@ TEST_CASE("holes, nested holes and what lies in them") {
   test::add_chain(pslg, {{1, 1}, {7, 1}, {7, 7}, {1, 7}}, true);
   test::add_chain(pslg, {{2, 2}, {6, 2}, {6, 6}, {2, 6}}, true);
   test::add_chain(pslg, {{3, 3}, {5, 3}, {5, 5}, {3, 5}}, true);
-  SUBCASE("no hole points: rings are interfaces") {
-    CHECK(total_area(valid_cdt(pslg).mesh) == 64);
-  }
+  SUBCASE("no hole points: rings are interfaces") { CHECK(total_area(valid_cdt(pslg).mesh) == 64); }
   SUBCASE("ring, hole, island, hole") {
     pslg.holes = {{1.5, 1.5}, {4, 4}};
     const Mesh mesh = valid_cdt(pslg).mesh;
@@ -198,8 +196,7 @@ TEST_CASE("random PSLGs with coincidences, rotations and offsets: M1 to M6, or a
       if (form == 3) pslg.points.push_back({0.1 * x, 0.3 * y});
     }
     for (std::size_t s = 0; s < segments; ++s) {
-      pslg.segments.push_back(
-          {VertexId(random() % points), VertexId(random() % points), {}, 0, 1});
+      pslg.segments.push_back({VertexId(random() % points), VertexId(random() % points), {}, 0, 1});
     }
     try {
       const Triangulation result = constrained_delaunay(pslg, {Crossings::split});

@@ -166,7 +166,8 @@ Curve fit_curve(const CurveSampler& sample) {
   constexpr std::size_t most_equal = 512;
   for (std::size_t n = 1; n <= most_equal; ++n)
     if (auto cubics = equal_pieces(sample, n, s.rounding)) return *cubics;
-  return halved_pieces(sample, cubic_tolerance * s.size);
+  // The fit is judged at a few points: half of what is promised leaves room between them.
+  return halved_pieces(sample, 0.5 * cubic_tolerance * s.size);
 }
 
 }  // namespace lepp

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -102,7 +103,7 @@ class Builder {
     mark_used_nodes();
     std::set<std::array<std::uint32_t, 3>> seen;
     std::size_t repeated = 0;
-    for (const GmshTriangle& t : mesh_.triangles) {
+    for (const GmshTriangle& t : triangles_by_number()) {
       auto nodes = t.nodes;
       std::sort(nodes.begin(), nodes.end());
       // Gmsh's 2.2 writer stores a triangle once per group of its surface.
@@ -120,13 +121,25 @@ class Builder {
     if (repeated > 0) warn(fmt::format("{} triangles are in the file more than once", repeated));
   }
 
-  /// Vertices are numbered as the file numbers its nodes; nodes without triangle are left out.
+  std::vector<GmshTriangle> triangles_by_number() const {
+    std::vector<GmshTriangle> triangles = mesh_.triangles;
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [](const GmshTriangle& a, const GmshTriangle& b) { return a.tag < b.tag; });
+    return triangles;
+  }
+
+  /// Vertices come in the order of the file's node numbers; nodes without triangle are left out.
   void mark_used_nodes() {
     std::vector<bool> used(mesh_.node_tags.size());
     for (const GmshTriangle& t : mesh_.triangles)
       for (const std::uint32_t node : t.nodes) used[node] = true;
-    for (std::size_t node = 0; node < used.size(); ++node)
-      if (used[node]) vertex(static_cast<std::uint32_t>(node));
+    std::vector<std::uint32_t> nodes(used.size());
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    std::sort(nodes.begin(), nodes.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return mesh_.node_tags[a] < mesh_.node_tags[b];
+    });
+    for (const std::uint32_t node : nodes)
+      if (used[node]) vertex(node);
     const auto unused = std::count(used.begin(), used.end(), false);
     if (unused > 0)
       warn(fmt::format("{} nodes belong to no triangle and are dropped, the first is node {}",

@@ -126,16 +126,19 @@ bool runs_along_a_side(const std::array<Point, 3>& triangle, Point p, Point q) {
   return false;
 }
 
-// The faces between boxes: sides of pieces that do not run along a side of their triangle, because
-// there only two pieces of one box meet, or a constrained edge is drawn already.
+// The faces between boxes: sides of pieces that do not run along a side of their triangle. Where
+// they do, the same box goes on beyond (in a Delaunay triangulation), or the edge is constrained
+// and drawn already. Two boxes see a face in opposite directions; a slanted direction, which no
+// face of a regular mesh is normal to, tells which of them draws it.
 void draw_boxes(Drawing& drawing, const Mesh& mesh, const VoronoiBoxes& boxes, double stroke) {
+  constexpr Point slanted{0.618, 0.786};
   drawing.open_path("none", box_color, stroke);
   for (std::uint32_t i = 0; i < boxes.piece_triangle.size(); ++i) {
     const auto corners = boxes.piece(i);
     const auto triangle = mesh.corners(boxes.piece_triangle[i]);
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Point p = corners[k], q = corners[(k + 1) % corners.size()];
-      if (q < p || runs_along_a_side(triangle, p, q)) continue;  // each face from one side
+      if (dot(q - p, slanted) < 0 || runs_along_a_side(triangle, p, q)) continue;
       drawing.move(p);
       drawing.line(q);
     }

@@ -67,8 +67,10 @@ struct RunReport {
   std::vector<MeshViolation> violations;  ///< of validate()
 };
 
-/// The report for machines: one JSON object, described in docs/report.md. Ends with a line end.
-/// A figure that is not finite becomes null.
+/// The report for machines: one JSON object, ended by a line end. Its keys are the names of the
+/// fields above, with the figures of `quality` at the top; counts are the exact ones, and the
+/// object `tolerant` has their twins that forgive 1e-9 degrees. What does not apply, and a figure
+/// that is not finite, is null. `schema_version` grows when a key changes its meaning or goes away.
 std::string to_json(const RunReport& report);
 
 /// The report for people: a table with a column per stage, then what matters line by line.

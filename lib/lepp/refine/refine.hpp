@@ -30,7 +30,7 @@ struct RefineOptions {
   /// 50 * (input vertices + 1000 + area / (0.43 h^2)) where a size h is asked for.
   std::size_t max_vertices = 0;
   /// Called now and then with the number of vertices; false stops with reason `cancelled`.
-  std::function<bool(std::size_t vertices)> progress;
+  std::function<bool(std::size_t vertices)> progress = {};
 };
 
 struct RefineReport {

@@ -109,7 +109,7 @@ class SoupJoiner {
     for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const HalfEdge e{TriangleId(t), i};
-        const auto [low, high] = std::minmax(mesh_.origin(e), mesh_.destination(e));
+        const auto [low, high] = std::minmax({mesh_.origin(e), mesh_.destination(e)});
         sides.push_back({low, high, e});
       }
     }

@@ -13,9 +13,9 @@ namespace lepp {
 struct MeshClaims {
   bool delaunay = true;  ///< check M6
   /// M7: every angle reaches it, or the triangle is in `unfinished` with a reason that holds.
-  std::optional<double> min_angle_deg;
+  std::optional<double> min_angle_deg = {};
   bool nonobtuse = false;              ///< M8; triangles in `unfinished` may break it
-  std::vector<Unfinished> unfinished;  ///< ascending by triangle, as refine() reports them
+  std::vector<Unfinished> unfinished = {};  ///< ascending by triangle, as refine() reports them
 };
 
 struct MeshViolation {
