@@ -110,7 +110,9 @@ class MeshReader {
 
   void take_lines(const Block& block, int curve) {
     for (std::size_t i = 0; i < block.tags.size(); ++i)
-      mesh_.lines.push_back({{node(block.nodes[2 * i]), node(block.nodes[2 * i + 1])}, curve});
+      mesh_.lines.push_back({static_cast<std::int64_t>(block.tags[i]),
+                             {node(block.nodes[2 * i]), node(block.nodes[2 * i + 1])},
+                             curve});
   }
 
   void take_triangles(const Block& block, int surface) {

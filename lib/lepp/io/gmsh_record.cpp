@@ -152,7 +152,7 @@ void fields(auto& archive, Is<GmshSurface> auto& s) {
   archive(s.tag, s.groups, s.boundary, s.embedded_points, s.embedded_curves, s.z_low, s.z_high);
 }
 void fields(auto& archive, Is<GmshTriangle> auto& t) { archive(t.tag, t.nodes, t.surface); }
-void fields(auto& archive, Is<GmshLine> auto& l) { archive(l.nodes, l.curve); }
+void fields(auto& archive, Is<GmshLine> auto& l) { archive(l.tag, l.nodes, l.curve); }
 void fields(auto& archive, Is<GmshNodeOfPoint> auto& p) { archive(p.node, p.point); }
 void fields(auto& archive, Is<GmshMesh> auto& m) {
   archive(m.node_tags, m.coordinates, m.triangles, m.lines, m.points);

@@ -56,6 +56,7 @@ struct GmshTriangle {
 };
 
 struct GmshLine {
+  std::int64_t tag = 0;
   std::array<std::uint32_t, 2> nodes{};
   int curve = 0;
 };
