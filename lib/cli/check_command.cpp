@@ -23,11 +23,11 @@ struct CheckCommand {
 // Triangles below the bound that the input forces, as far as a mesh shows its input.
 std::vector<Unfinished> forced(const Mesh& mesh, double min_angle_deg) {
   std::vector<Unfinished> found;
-  const double floor = default_size_floor(mesh);
+  const InputReasons input(mesh);
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     if (!is_below(mesh, t, min_angle_deg)) continue;
-    if (const auto reason = reason_in_input(mesh, t, floor)) found.push_back({t, *reason});
+    if (const auto reason = input.of(t)) found.push_back({t, *reason});
   }
   return found;
 }
@@ -48,7 +48,7 @@ int run(CheckCommand& command) {
   }
   const MeshReport checked = validate(mesh, command.claims);
   report.seconds.check = seconds() - report.seconds.read;
-  const Certificate certificate = certify(mesh, voronoi_boxes(mesh));
+  const Certificate certificate = certify(mesh);
   report.seconds.voronoi = seconds() - report.seconds.read - report.seconds.check;
   report.quality = measure(mesh);
   report.input_vertices = mesh.vertex_count();

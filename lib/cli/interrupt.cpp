@@ -11,7 +11,11 @@ namespace {
 
 volatile std::sig_atomic_t stop_asked = 0;  // the one thing a signal handler may touch
 
-extern "C" void ask_to_stop(int) { stop_asked = 1; }
+// The first signal asks; a second one ends the process at once.
+extern "C" void ask_to_stop(int signal) {
+  stop_asked = 1;
+  std::signal(signal, SIG_DFL);
+}
 
 }  // namespace
 

@@ -105,7 +105,9 @@ class MeshReader {
   }
 
   void take_points(const Block& block, int point) {
-    for (const std::size_t tag : block.nodes) mesh_.points.push_back({node(tag), point});
+    for (std::size_t i = 0; i < block.tags.size(); ++i)
+      mesh_.points.push_back(
+          {static_cast<std::int64_t>(block.tags[i]), node(block.nodes[i]), point});
   }
 
   void take_lines(const Block& block, int curve) {

@@ -63,7 +63,7 @@ std::string invalid(const std::string& name, GmshOptions options = {}) {
   return error_of<Error>([&] { read_gmsh(meshes / "invalid" / (name + ".geo"), options); });
 }
 
-const CurveEntity& curve_with_tag(const Pslg& pslg, int tag) {
+CurveEntity curve_with_tag(const Pslg& pslg, int tag) {
   for (const CurveEntity& curve : pslg.entities.curves)
     if (curve.tag == tag) return curve;
   FAIL("no curve " << tag);
@@ -83,6 +83,8 @@ TEST_CASE("areas and lengths of straight geometry are exact") {
   CHECK(measure("example1_strip").area == exactly(30.867));
   CHECK(measure("example1_strip").lengths["boundary"] == exactly(63.734));
   CHECK(measure("interface_fan").area == exactly(36));
+  CHECK(measure("interface_fan").lengths["spokes"] ==
+        exactly(12 + std::sqrt(10) + 3 * std::sqrt(2)));
   CHECK(measure("nested_holes").areas == std::map<int, double>{{1, 20}, {2, 3}});
   CHECK(measure("thin_channel").area == exactly(2.04));
   CHECK(measure("tiny_angle").area == exactly(50 * std::tan(pi / 60)));
@@ -104,8 +106,12 @@ TEST_CASE("areas and lengths of curved geometry are within the chord tolerance")
   CHECK(measure("rotated_copies").areas.size() == 6);
   CHECK(measure("lens").lengths["chord"] == exactly(2));
   CHECK(measure("narrow_gap").area == nearly(24 - 2 * pi));
+  CHECK(measure("airfoil").area == nearly(9 * pi - 0.08168));
   CHECK(measure("airfoil").lengths["far field"] == nearly(6 * pi));
-  CHECK(measure("blob").lengths["eye"] == nearly(2.9055));
+  CHECK(measure("airfoil").lengths["wing"] == nearly(2.0395));
+  CHECK(measure("blob").area == nearly(7.2761));
+  CHECK(measure("blob").lengths["rim"] == nearly(10.2539));
+  CHECK(measure("blob").lengths["eye"] == nearly(2.9065));
 }
 
 TEST_CASE("a smaller chord tolerance gives more points and a closer area") {
@@ -119,13 +125,13 @@ TEST_CASE("a smaller chord tolerance gives more points and a closer area") {
 
 TEST_CASE("arcs come back exactly, splines as the polynomials they are") {
   const Pslg annulus = valid("annulus").pslg;
-  const auto& arc = std::get<EllipseArc>(curve_with_tag(annulus, 1).geometry);
+  const auto arc = std::get<EllipseArc>(curve_with_tag(annulus, 1).geometry);
   CHECK(std::abs(arc.center.x) < 1e-14);
   CHECK(std::abs(arc.center.y) < 1e-14);
   CHECK(std::abs(arc.sweep) == doctest::Approx(pi / 2).epsilon(1e-14));
-  const auto& half = std::get<EllipseArc>(curve_with_tag(annulus, 5).geometry);
+  const auto half = std::get<EllipseArc>(curve_with_tag(annulus, 5).geometry);
   CHECK(std::abs(half.sweep) == doctest::Approx(pi).epsilon(1e-14));
-  const auto& eye = std::get<EllipseArc>(curve_with_tag(valid("blob").pslg, 2).geometry);
+  const auto eye = std::get<EllipseArc>(curve_with_tag(valid("blob").pslg, 2).geometry);
   CHECK(std::sqrt(dot(eye.u, eye.u)) == doctest::Approx(0.6).epsilon(1e-12));
   CHECK(std::get<CubicPieces>(curve_with_tag(valid("blob").pslg, 1).geometry).pieces.size() == 10);
   CHECK(std::get<CubicPieces>(curve_with_tag(valid("airfoil").pslg, 1).geometry).pieces.size() ==

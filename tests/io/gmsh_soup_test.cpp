@@ -150,3 +150,23 @@ TEST_CASE("hostile .msh files are read, or refused with the reason") {
       CHECK(contains(error_of<InputError>([&] { read_gmsh(*file); }), reason));
   }
 }
+
+TEST_CASE("in old formats, elements of one tag but different groups are entities of their own") {
+  const ScratchFolder scratch;
+  const GmshInput input = read_gmsh(scratch.put(
+      "old.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+      "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+      "$Elements\n4\n1 1 2 11 0 1 2\n2 1 2 12 0 2 3\n3 2 2 21 0 1 2 3\n4 2 2 22 0 1 3 4\n"
+      "$EndElements\n"));
+  const TriangleSoup& soup = *input.triangles;
+  REQUIRE(soup.entities.curves.size() == 2);
+  REQUIRE(soup.entities.surfaces.size() == 2);
+  CHECK(soup.entities.curves[0].tag == 11);
+  CHECK(soup.entities.surfaces[1].tag == 22);
+  for (const SurfaceEntity& surface : soup.entities.surfaces) {
+    REQUIRE(surface.groups.size() == 1);
+    CHECK(soup.entities[surface.groups[0]].tag == surface.tag);
+  }
+  CHECK(constrained_delaunay(input.pslg).mesh.entities().surfaces.size() == 2);
+}

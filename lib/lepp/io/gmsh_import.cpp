@@ -68,11 +68,11 @@ void put_in_front(std::vector<std::string> first, std::vector<std::string>& sent
 }
 
 GmshInput read_mesh(const fs::path& file, const PrivateFolder& folder, const GmshOptions& options) {
-  copy_mesh_file(file, folder.path());
+  const ElementGroups groups = copy_mesh_file(file, folder.path());
   const GmshRecord record = run(folder, {private_mesh_name, false, file.string()}, options);
   if (!record.mesh)
     throw InputError(file.string(), "Gmsh returned no mesh", "write the mesh again");
-  GmshInput input = soup_from_gmsh(record, file.string());
+  GmshInput input = soup_from_gmsh(record, groups, file.string());
   put_in_front(record.warnings, input.warnings);
   return input;
 }

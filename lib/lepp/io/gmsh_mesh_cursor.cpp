@@ -59,8 +59,8 @@ std::uint64_t MeshCursor::checked_count(std::uint64_t count, std::string_view wh
 }
 
 void MeshCursor::fail(const std::string& problem, const std::string& remedy) const {
-  const auto lines = std::count(bytes_.begin(),
-                                bytes_.begin() + static_cast<std::ptrdiff_t>(line_start_), '\n');
+  const auto lines =
+      std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(line_start_), '\n');
   throw InputError(fmt::format("{}, line {}", name_, lines + 1), problem, remedy);
 }
 

@@ -38,8 +38,11 @@ class MeshFile {
  private:
   void section(const std::string& name) {
     if (name == "MeshFormat") return format();
+    if (name.starts_with("End") || name.starts_with("END"))
+      cursor_.fail(fmt::format("${} ends a section that did not begin", name));
     if (name == "NOD" && version_ == 0) version_ = 1;
-    const bool nodes = name == "Nodes" || name == "NOD", elements = name == "Elements" || name == "ELM";
+    const bool nodes = name == "Nodes" || name == "NOD",
+               elements = name == "Elements" || name == "ELM";
     if ((nodes || elements) && version_ == 0)
       cursor_.fail("there is no $MeshFormat section before it");
     if (elements && !nodes_seen_)
@@ -80,7 +83,8 @@ class MeshFile {
     return cursor_.checked_count(count, what, least);
   }
 
-  // ---- text --------------------------------------------------------------------------------------
+  // ---- text
+  // --------------------------------------------------------------------------------------
   void text_nodes() {
     std::string_view line = cursor_.data_line("the number of nodes");
     if (version_ < 4) {
@@ -154,10 +158,12 @@ class MeshFile {
                                nodes.size(), type, *expected));
     for (const std::int64_t node : nodes)
       if (all_nodes_listed_ && !nodes_.contains(node))
-        cursor_.fail(fmt::format("element {} refers to node {}, which is not defined", number, node));
+        cursor_.fail(
+            fmt::format("element {} refers to node {}, which is not defined", number, node));
   }
 
-  // ---- binary ------------------------------------------------------------------------------------
+  // ---- binary
+  // ------------------------------------------------------------------------------------
   std::int32_t integer() { return cursor_.binary<std::int32_t>(swapped_); }
   std::uint64_t count(std::string_view what, std::uint64_t least_bytes) {
     return cursor_.checked_count(cursor_.binary<std::uint64_t>(swapped_), what, least_bytes);
@@ -237,7 +243,8 @@ std::string read_bytes(const fs::path& file) {
   if (!in || error)
     throw InputError(file.string(), "cannot be read", "give a file that exists and may be read");
   if (size > most)
-    throw RefusedError(file.string(), fmt::format("the file has {} bytes, more than {}", size, most),
+    throw RefusedError(file.string(),
+                       fmt::format("the file has {} bytes, more than {}", size, most),
                        "give a smaller mesh");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -266,6 +273,7 @@ bool looks_like_msh(const fs::path& file) {
 ElementGroups copy_mesh_file(const fs::path& file, const fs::path& private_folder) {
   const std::string bytes = read_bytes(file);
   const std::string_view mesh = std::string_view(bytes).substr(first_word(bytes));
+  if (mesh.empty()) throw InputError(file.string(), "the file is empty", "give a file with data");
   if (!mesh.starts_with("$"))
     throw InputError(file.string() + ", line 1", "does not begin like a .msh file",
                      "give a mesh that starts with $MeshFormat, or name a script .geo");

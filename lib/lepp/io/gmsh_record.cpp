@@ -153,7 +153,7 @@ void fields(auto& archive, Is<GmshSurface> auto& s) {
 }
 void fields(auto& archive, Is<GmshTriangle> auto& t) { archive(t.tag, t.nodes, t.surface); }
 void fields(auto& archive, Is<GmshLine> auto& l) { archive(l.tag, l.nodes, l.curve); }
-void fields(auto& archive, Is<GmshNodeOfPoint> auto& p) { archive(p.node, p.point); }
+void fields(auto& archive, Is<GmshNodeOfPoint> auto& p) { archive(p.tag, p.node, p.point); }
 void fields(auto& archive, Is<GmshMesh> auto& m) {
   archive(m.node_tags, m.coordinates, m.triangles, m.lines, m.points);
 }

@@ -50,7 +50,7 @@ struct GmshSurface {
 };
 
 struct GmshTriangle {
-  std::int64_t tag = 0;
+  std::int64_t tag = 0;                  ///< of the element, as in the next two
   std::array<std::uint32_t, 3> nodes{};  ///< indices into GmshMesh::node_tags
   int surface = 0;
 };
@@ -62,6 +62,7 @@ struct GmshLine {
 };
 
 struct GmshNodeOfPoint {
+  std::int64_t tag = 0;  ///< of the element
   std::uint32_t node = 0;
   int point = 0;
 };

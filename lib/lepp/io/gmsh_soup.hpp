@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lepp/io/gmsh_import.hpp"
+#include "lepp/io/gmsh_mesh_file.hpp"
 #include "lepp/io/gmsh_record.hpp"
 
 namespace lepp {
@@ -15,6 +16,7 @@ namespace lepp {
 /// boundary and interface edge gets a curve: that of a line of the file, else one with tag 0 for
 /// each combination of surfaces beside it. \throw InputError  no triangles; nodes outside one
 /// plane; a curve or surface unknown
-GmshInput soup_from_gmsh(const GmshRecord& record, const std::string& source);
+GmshInput soup_from_gmsh(const GmshRecord& record, const ElementGroups& old_groups,
+                         const std::string& source);
 
 }  // namespace lepp

@@ -9,6 +9,7 @@ add_library(lepp_io
   lepp/io/gmsh_groups.cpp
   lepp/io/gmsh_import.cpp
   lepp/io/gmsh_mesh_cursor.cpp
+  lepp/io/gmsh_mesh_entities.cpp
   lepp/io/gmsh_mesh_file.cpp
   lepp/io/gmsh_pieces.cpp
   lepp/io/gmsh_process.cpp

@@ -227,7 +227,7 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
                              const Untouched& untouched, Reason otherwise) {
   RefineReport result;
   result.goal_reached = true;
-  const double floor = default_size_floor(mesh);
+  const InputReasons input(mesh);
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     if (untouched(mesh, t)) continue;
@@ -235,7 +235,7 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
     const bool obtuse_left = obtuse == ObtuseRule::split_first && faces_obtuse_constrained(mesh, t);
     if (!too_large && !obtuse_left && !bounds.poor(mesh, t)) continue;
     Reason reason = otherwise;
-    if (!too_large) reason = reason_in_input(mesh, t, floor).value_or(otherwise);
+    if (!too_large) reason = input.of(t).value_or(otherwise);
     result.unfinished.push_back({t, reason});
     if (!is_forced_by_input(reason)) result.goal_reached = false;
   }

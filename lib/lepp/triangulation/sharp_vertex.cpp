@@ -154,18 +154,28 @@ bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t) {
   return mesh.is_constrained(next_edge(e)) && mesh.is_constrained(previous_edge(e));
 }
 
-bool smallest_angle_in_sharp_wedge(const Mesh& mesh, TriangleId t) {
-  const HalfEdge e = shortest_edge(mesh, t);
-  const VertexId center = mesh.apex(e);
-  // Turn clockwise and counter-clockwise until a constrained edge closes the wedge.
-  HalfEdge out = previous_edge(e);  // center -> origin(e)
-  const HalfEdge start = out;
-  while (!mesh.is_constrained(out)) {
-    out = next_edge(*mesh.twin(out));
-    if (out == start) return false;  // no constrained edge at this vertex
+std::vector<std::uint8_t> corners_in_sharp_wedges(const Mesh& mesh) {
+  std::vector<std::uint8_t> bits(mesh.triangle_count(), 0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge first{TriangleId(t), i};  // each wedge starts at one constrained half-edge
+      if (!mesh.is_constrained(first)) continue;
+      const HalfEdge last = next_constrained(mesh, first);
+      const VertexId center = mesh.origin(first);
+      if (!wedge_below(mesh, center, mesh.destination(first), mesh.origin(last), is_below_60_deg)) {
+        continue;
+      }
+      for (HalfEdge e = first;; e = *mesh.twin(previous_edge(e))) {
+        bits[e.triangle.index()] |= static_cast<std::uint8_t>(1U << next_corner(e.edge));
+        if (previous_edge(e) == last) break;
+      }
+    }
   }
-  const HalfEdge back = next_constrained(mesh, out);
-  return wedge_below(mesh, center, mesh.destination(out), mesh.origin(back), is_below_60_deg);
+  return bits;
+}
+
+std::uint32_t smallest_corner(const Mesh& mesh, TriangleId t) {
+  return shortest_edge(mesh, t).edge;
 }
 
 bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t) {
@@ -186,13 +196,16 @@ bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t) {
 }
 
 bool at_input_feature(const Mesh& mesh, TriangleId t, double floor) {
+  const auto of_input = [&](VertexId v) {
+    return mesh.origin_of(v).kind != VertexOrigin::Kind::interior;
+  };
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge e{t, i};
     const VertexId a = mesh.origin(e), b = mesh.destination(e), c = mesh.apex(e);
-    const Point p = mesh.point(a), q = mesh.point(b), apex = mesh.point(c);
-    if (mesh.is_input(a) && mesh.is_input(b) && squared_distance(p, q) < floor * floor) return true;
-    const bool apex_of_input = mesh.origin_of(c).kind != VertexOrigin::Kind::interior;
-    if (apex_of_input && mesh.is_constrained(e) && distance_to_segment(apex, p, q) < floor) {
+    const Point p = mesh.point(a), q = mesh.point(b);
+    // No split makes an edge this short, so its ends belong to separate features.
+    if (of_input(a) && of_input(b) && squared_distance(p, q) < floor * floor) return true;
+    if (of_input(c) && mesh.is_constrained(e) && distance_to_segment(mesh.point(c), p, q) < floor) {
       return true;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "lepp/triangulation/mesh.hpp"
@@ -24,9 +25,12 @@ struct Fan {
 /// Cost O(degree of center)
 Fan fan_at(const Mesh& mesh, HalfEdge edge, VertexId center);
 
-/// True if the smallest angle of `t` lies in a wedge of constrained edges below 60 degrees.
-/// Cost O(degree)
-bool smallest_angle_in_sharp_wedge(const Mesh& mesh, TriangleId t);
+/// For each triangle a bit per corner: set if the corner lies in a wedge of constrained edges below
+/// 60 degrees. Cost O(triangles), however many meet at one vertex.
+std::vector<std::uint8_t> corners_in_sharp_wedges(const Mesh& mesh);
+
+/// The corner of `t` with the smallest angle, the one opposite its shortest edge.
+std::uint32_t smallest_corner(const Mesh& mesh, TriangleId t);
 
 /// True if both sides of the smallest angle of `t` are constrained: no insertion can change it.
 bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t);
@@ -36,8 +40,8 @@ bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t);
 /// picture at half the scale.
 bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t);
 
-/// True if the input itself has two separate features closer than `floor` at `t`: two input
-/// vertices, or a vertex of the input and a segment that it is not an end of.
+/// True if the input itself has two separate features closer than `floor` at `t`: two vertices of
+/// input vertices or segments, or such a vertex and a segment.
 bool at_input_feature(const Mesh& mesh, TriangleId t, double floor);
 
 }  // namespace lepp

@@ -19,6 +19,8 @@ std::string to_string(Reason reason) {
       return "budget";
     case Reason::cancelled:
       return "cancelled";
+    case Reason::method:
+      return "method";
   }
   return {};
 }
@@ -27,11 +29,15 @@ bool is_forced_by_input(Reason reason) {
   return reason == Reason::input_angle || reason == Reason::input_feature;
 }
 
-std::optional<Reason> reason_in_input(const Mesh& mesh, TriangleId t, double floor) {
-  if (smallest_angle_in_sharp_wedge(mesh, t) || shortest_edge_is_seditious(mesh, t)) {
-    return Reason::input_angle;
-  }
-  if (at_input_feature(mesh, t, 2 * floor)) return Reason::input_feature;
+InputReasons::InputReasons(const Mesh& mesh)
+    : mesh_(mesh),
+      floor_(default_size_floor(mesh)),
+      in_sharp_wedge_(corners_in_sharp_wedges(mesh)) {}
+
+std::optional<Reason> InputReasons::of(TriangleId t) const {
+  const bool in_wedge = (in_sharp_wedge_[t.index()] >> smallest_corner(mesh_, t) & 1U) != 0;
+  if (in_wedge || shortest_edge_is_seditious(mesh_, t)) return Reason::input_angle;
+  if (at_input_feature(mesh_, t, 2 * floor_)) return Reason::input_feature;
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lepp/triangulation/mesh.hpp"
 
@@ -27,11 +28,23 @@ struct Unfinished {
   friend bool operator==(const Unfinished&, const Unfinished&) = default;
 };
 
-/// The reason that the input forces on a triangle with a small angle or an obtuse one, if any:
-/// input_angle where its smallest angle lies in a wedge of constrained edges below 60 degrees or
-/// its shortest edge is seditious there; input_feature where separate features of the input are
-/// closer than `floor`. Both refine() and validate() decide by it.
-std::optional<Reason> reason_in_input(const Mesh& mesh, TriangleId t, double floor);
+/// The reasons that the input of a mesh forces on triangles with a small angle or an obtuse one.
+/// Both refine() and validate() decide by it.
+class InputReasons {
+ public:
+  /// Looks at the mesh as it is now. Cost O(triangles)
+  explicit InputReasons(const Mesh& mesh);
+
+  /// input_angle where the smallest angle of `t` lies in a wedge of constrained edges below 60
+  /// degrees or its shortest edge is seditious there; input_feature where separate features of the
+  /// input are closer than twice the size floor.
+  std::optional<Reason> of(TriangleId t) const;
+
+ private:
+  const Mesh& mesh_;
+  double floor_;
+  std::vector<std::uint8_t> in_sharp_wedge_;  // a bit per corner
+};
 
 /// The shortest edge that refinement makes: below it doubles are too coarse, 1e-12 of the diagonal
 /// of the bounding box or 64 ulp of the largest coordinate.

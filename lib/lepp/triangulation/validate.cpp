@@ -28,7 +28,7 @@ class Validator {
     if (report_.count > 0) return std::move(report_);
     check_constrained_flags();
     check_segments();
-    floor_ = default_size_floor(mesh_);
+    if (!claims_.unfinished.empty()) input_.emplace(mesh_);
     if (claims_.delaunay) check_delaunay();
     if (claims_.min_angle_deg) check_angles(*claims_.min_angle_deg);
     if (claims_.nonobtuse) check_nonobtuse();
@@ -191,7 +191,7 @@ class Validator {
     const auto found = std::ranges::lower_bound(claims_.unfinished, t, {}, &Unfinished::triangle);
     if (found == claims_.unfinished.end() || found->triangle != t) return false;
     if (!is_forced_by_input(found->reason)) return true;
-    if (reason_in_input(mesh_, t, floor_) == found->reason) return true;
+    if (input_->of(t) == found->reason) return true;
     broken(rule, name(t) + " claims " + to_string(found->reason));
     return true;
   }
@@ -223,7 +223,7 @@ class Validator {
 
   const Mesh& mesh_;
   const MeshClaims& claims_;
-  double floor_ = 0;
+  std::optional<InputReasons> input_;
   MeshReport report_;
   std::map<std::string, std::size_t> per_rule_;
 };

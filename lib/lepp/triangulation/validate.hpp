@@ -14,7 +14,7 @@ struct MeshClaims {
   bool delaunay = true;  ///< check M6
   /// M7: every angle reaches it, or the triangle is in `unfinished` with a reason that holds.
   std::optional<double> min_angle_deg = {};
-  bool nonobtuse = false;              ///< M8; triangles in `unfinished` may break it
+  bool nonobtuse = false;                   ///< M8; triangles in `unfinished` may break it
   std::vector<Unfinished> unfinished = {};  ///< ascending by triangle, as refine() reports them
 };
 

@@ -181,6 +181,12 @@ Certificate certify(const Mesh& mesh, const VoronoiBoxes& boxes) {
   return result;
 }
 
+Certificate certify(const Mesh& mesh) {
+  Certificate result;
+  check_edge_factors(mesh, result);
+  return result.violations.empty() ? certify(mesh, voronoi_boxes(mesh)) : result;
+}
+
 std::string Certificate::summary() const {
   if (admissible) return "admissible";
   constexpr std::size_t shown = 3;

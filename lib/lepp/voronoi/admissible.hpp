@@ -29,4 +29,8 @@ struct Certificate {
 /// \pre  `boxes` belongs to `mesh`, which satisfies M1 to M4.  Throws nothing, changes nothing.
 Certificate certify(const Mesh& mesh, const VoronoiBoxes& boxes);
 
+/// The same with boxes of its own, which are cut only if V1 holds: without it a box may reach
+/// across any number of triangles, and the mesh is not admissible anyway.
+Certificate certify(const Mesh& mesh);
+
 }  // namespace lepp
