@@ -27,6 +27,7 @@ class ScratchFolder {
     std::filesystem::remove_all(folder_, ignored);
   }
 
+  const std::filesystem::path& path() const { return folder_; }
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
 
   std::filesystem::path put(const std::string& name, const std::string& text) const {
