@@ -108,17 +108,17 @@ TEST_CASE("2.2 refuses an entity in several groups, names it, and leaves nothing
   CHECK(folder.names().empty());
 }
 
-TEST_CASE("a group name that the format cannot hold, or a tag of 0, is refused") {
+TEST_CASE("a group name that the format cannot hold, or a negative tag, is refused") {
   const ScratchFolder folder;
   Pslg pslg = test::two_squares();
   pslg.entities.groups[0].name = "5\" pipe";
   CHECK(contains(
       error_of<InputError>([&] { write_msh(constrained_delaunay(pslg).mesh, folder / "a.msh"); }),
       "physical group 1 of dimension 2: its name has a double quote"));
-  pslg.entities.groups[0] = {2, 0, "left"};
+  pslg.entities.groups[0] = {2, -1, "left"};
   CHECK(contains(
       error_of<InputError>([&] { write_msh(constrained_delaunay(pslg).mesh, folder / "a.msh"); }),
-      "tags must be positive"));
+      "its tag is negative"));
   CHECK(folder.names().empty());
 }
 

@@ -49,7 +49,12 @@ inline Outcome run(const std::filesystem::path& folder, const std::string& argum
   return outcome;
 }
 
-inline std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+inline std::string quoted(const std::filesystem::path& path) {
+  std::string text(1, '\'');
+  text += path.string();
+  text += '\'';
+  return text;
+}
 
 /// The measure of each group of a report, by dimension and name.
 inline std::map<std::pair<int, std::string>, double> group_measures(const Json& report) {

@@ -11,6 +11,13 @@ std::string to_text(double value) {
   return {text.data(), end};
 }
 
-std::string to_text(Point p) { return "(" + to_text(p.x) + ", " + to_text(p.y) + ")"; }
+std::string to_text(Point p) {
+  std::string text = to_text(p.x);
+  text.insert(0, 1, '(');
+  text += ", ";
+  text += to_text(p.y);
+  text += ')';
+  return text;
+}
 
 }  // namespace lepp

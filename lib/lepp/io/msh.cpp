@@ -22,7 +22,7 @@ void check_groups(const Mesh& mesh, const std::string& file) {
   for (const PhysicalGroup& group : mesh.entities().groups) {
     const std::string where = file + ", physical group " + std::to_string(group.tag) +
                               " of dimension " + std::to_string(group.dimension);
-    if (group.tag <= 0) throw InputError(where, "tags must be positive", "give it another tag");
+    if (group.tag < 0) throw InputError(where, "its tag is negative", "give it another tag");
     if (group.name.find_first_of("\"\n\r") != std::string::npos) {
       throw InputError(where, "its name has a double quote or a line end",
                        "rename the group: a .msh file cannot hold that name");
