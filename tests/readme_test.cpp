@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,13 +9,12 @@
 
 #include "io/scratch_folder.hpp"
 
-// README.md shows the lines between the marks, here and below, and this file runs them.
-// README: includes begin
 #include "lepp/io/gmsh_import.hpp"
 #include "lepp/io/msh.hpp"
 #include "lepp/refine/refine.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/voronoi/admissible.hpp"
-// README: includes end
+#include "lepp/voronoi/voronoi_boxes.hpp"
 
 using namespace lepp;
 namespace fs = std::filesystem;
@@ -29,16 +29,15 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The lines of this file between two marks, less the indentation of the first.
-std::string shown_lines(const std::string& what) {
-  std::istringstream lines(text_of(project / "tests/readme_test.cpp"));
-  std::string line, shown;
-  while (std::getline(lines, line) && !line.ends_with("// README: " + what + " begin")) {
+const fs::path this_file = project / "tests/readme_test.cpp";
+
+// The lines of this file between the two marks, flush left, after a line end.
+std::string shown_lines() {
+  std::istringstream lines(text_of(this_file));
+  std::string line, shown = "\n";
+  while (std::getline(lines, line) && line != "  // README begins") {
   }
-  const std::size_t indentation = line.find_first_not_of(' ');
-  while (std::getline(lines, line) && !line.ends_with("// README: " + what + " end")) {
-    shown += line.substr(indentation) + '\n';
-  }
+  while (std::getline(lines, line) && line != "  // README ends") shown += line.substr(2) + '\n';
   return shown;
 }
 
@@ -58,13 +57,19 @@ class Workplace {
 
 }  // namespace
 
-TEST_CASE("README.md shows the lines that this test runs") {
-  const std::string readme = text_of(project / "README.md");
-  for (const std::string what : {"includes", "lines"}) {
-    const std::string shown = shown_lines(what);
-    CAPTURE(shown);
-    CHECK(shown.size() > 100);
-    CHECK(test::contains(readme, shown));
+TEST_CASE("README.md shows the lines that this file runs") {
+  const std::string shown = shown_lines();
+  CAPTURE(shown);
+  CHECK(std::ranges::count(shown, '\n') == 10);
+  CHECK(test::contains(text_of(project / "README.md"), shown));
+}
+
+TEST_CASE("README.md includes nothing that this file does not include") {
+  std::istringstream readme(text_of(project / "README.md"));
+  const std::string ours = text_of(this_file);
+  for (std::string line; std::getline(readme, line);) {
+    CAPTURE(line);
+    if (line.starts_with("#include")) CHECK(test::contains(ours, "\n" + line + "\n"));
   }
 }
 
@@ -76,7 +81,7 @@ TEST_CASE("the lines that README.md shows do what it says") {
     CHECK(transmissibility >= 0);
     sum += transmissibility;
   };
-  // README: lines begin
+  // README begins
   const Pslg pslg = read_geo("meshes/valid/annulus.geo");
   Mesh mesh = constrained_delaunay(pslg).mesh;
   const RefineReport refined = refine(mesh, {.min_angle_deg = 28});
@@ -86,7 +91,7 @@ TEST_CASE("the lines that README.md shows do what it says") {
     assemble(f.k, f.l, f.length / f.distance);
   }
   write_msh(mesh, "annulus.msh");
-  // README: lines end
+  // README ends
   CHECK(refined.goal_reached);
   CHECK(certificate.summary() == "admissible");
   CHECK(sum > 0);

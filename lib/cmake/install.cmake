@@ -63,6 +63,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/leppConfig.cmake
 
 file(RELATIVE_PATH lepp_pc_to_prefix
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" lepp_pc_to_prefix "${lepp_pc_to_prefix}")
 foreach(package lepp lepp-io)
   configure_file(cmake/${package}.pc.in ${package}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${package}.pc

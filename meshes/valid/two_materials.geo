@@ -1,5 +1,5 @@
 // A plate of two materials: steel with a round hole on the left, copper on the right.
-// The interface is an S of two quarter circles, smooth where they meet.
+// The interface is an S of two arcs of 60 degrees, smooth where they meet.
 
 Point(1) = {0, 0, 0};
 Point(2) = {2, 0, 0};
@@ -8,8 +8,9 @@ Point(4) = {4, 2, 0};
 Point(5) = {2, 2, 0};
 Point(6) = {0, 2, 0};
 Point(7) = {2, 1, 0};
-Point(8) = {1.5, 0.5, 0};  // centres of the two quarter circles
-Point(9) = {2.5, 1.5, 0};
+c = Sqrt(3) / 2;
+Point(8) = {2 - c, 0.5, 0};  // centres of the two arcs, of radius 1
+Point(9) = {2 + c, 1.5, 0};
 
 Line(1) = {1, 2};
 Line(2) = {2, 3};

@@ -108,8 +108,7 @@ TEST_CASE("predicates: published hard cases have the published sign") {
   double number = 0, ax = 0, ay = 0, bx = 0, by = 0, cx = 0, cy = 0;
   int expected = 0;
   while (in >> number >> ax >> ay >> bx >> by >> cx >> cy >> expected) {
-    // The file's sign is that of a y axis that points down.
-    CHECK(orient2d({ax, ay}, {bx, by}, {cx, cy}) == -expected);
+    CHECK(orient2d({ax, ay}, {bx, by}, {cx, cy}) == expected);
     ++checked;
   }
   CHECK(checked > 100);
