@@ -78,7 +78,8 @@ class Refiner {
     while (may_go_on()) {
       changed_.clear();
       if (const auto e = encroached ? encroached->next(mesh_) : std::nullopt) {
-        cut(*e);
+        // Features of the input below the size floor stay as they are: cutting only spreads them.
+        if (!at_input_feature(mesh_, e->triangle, 2 * floor_)) cut(*e);
       } else if (const auto t = bad_.worst(mesh_)) {
         improve(*t);
       } else {
@@ -160,8 +161,8 @@ class Refiner {
 // What is asked of each triangle: sizes and, in the shape of an indicator, quality.
 class Bounds {
  public:
-  Bounds(const RefineOptions& options, const QualityIndicator& quality)
-      : options_(options), quality_(quality) {}
+  Bounds(const Mesh& mesh, const RefineOptions& options, const QualityIndicator& quality)
+      : options_(options), quality_(quality), floor_(default_size_floor(mesh)) {}
 
   bool poor(const Mesh& mesh, TriangleId t) const { return quality_.q(mesh, t) < quality_.epsilon; }
 
@@ -193,6 +194,7 @@ class Bounds {
  private:
   const RefineOptions& options_;
   const QualityIndicator& quality_;
+  double floor_;
 };
 
 bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
@@ -265,7 +267,7 @@ QualityIndicator smallest_angle_indicator(double bound_deg) {
 RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                      const QualityIndicator& quality, const RefineOptions& options) {
   check(options);
-  const Bounds bounds(options, quality);
+  const Bounds bounds(mesh, options, quality);
   const Untouched untouched(mesh, targets);
   Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) { return bounds.judge(m, t); });
   for (const TriangleId t : targets) refiner.add_target(t);
@@ -284,7 +286,7 @@ RefineReport refine(Mesh& mesh, const RefineOptions& options) {
 
 RefineReport judge(const Mesh& mesh, const RefineOptions& options, Reason otherwise) {
   const QualityIndicator quality = smallest_angle_indicator(options.min_angle_deg);
-  const Bounds bounds(options, quality);
+  const Bounds bounds(mesh, options, quality);
   const Untouched untouched(mesh, all_triangles(mesh));
   return list_unfinished(mesh, bounds, options.obtuse, untouched, otherwise);
 }
