@@ -42,4 +42,4 @@ target_link_libraries(lepp_io PUBLIC lepp::core PRIVATE
   $<BUILD_INTERFACE:fmt::fmt-header-only> $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
 target_compile_options(lepp_io PRIVATE -ffp-contract=off)
 set_target_properties(lepp_io PROPERTIES EXPORT_NAME io OUTPUT_NAME lepp_io
-  VERSION ${PROJECT_VERSION} SOVERSION 0 POSITION_INDEPENDENT_CODE ON)
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} POSITION_INDEPENDENT_CODE ON)
