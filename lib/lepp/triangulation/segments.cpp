@@ -1,5 +1,6 @@
 #include "lepp/triangulation/segments.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
@@ -181,7 +182,61 @@ class SegmentInserter {
       const double t_w = u < w ? record.t_high : record.t_low;
       return insert_on_edge(mesh_, e, candidate, origin, t_u + along * (t_w - t_u)).vertex;
     }
+    if (const auto v = bend(e)) return *v;
     throw too_close_error(e, p);
+  }
+
+  // Where a vertex z lies within a few ulp of constrained edge e = u -> w, no double fits between
+  // them: e gives way, and its segments run u -> z -> w instead.
+  std::optional<VertexId> bend(HalfEdge e) {
+    const VertexId u = mesh_.origin(e), w = mesh_.destination(e);
+    for (const HalfEdge side : {e, *mesh_.twin(e)}) {
+      const VertexId z = mesh_.apex(side);
+      if (++bends_ > crossing_limit() || !is_within_rounding(z, u, w)) continue;
+      const auto owners_now = mesh_.segments_of(e);
+      const std::vector<SegmentId> owners(owners_now.begin(), owners_now.end());
+      if (shares_owner(u, z, owners) || shares_owner(z, w, owners)) continue;  // would fold back
+      const ConstrainedEdge record = mesh_.constrained_edge(e);
+      const double t_u = u < w ? record.t_low : record.t_high;
+      const double t_w = u < w ? record.t_high : record.t_low;
+      const double along = std::sqrt(squared_distance(mesh_.point(u), mesh_.point(z)) /
+                                     squared_distance(mesh_.point(u), mesh_.point(w)));
+      const double t_z = t_u + std::min(along, 1.0) * (t_w - t_u);
+      mesh_.erase_record(u, w);
+      mesh_.set_constrained_flag(e, false);
+      mesh_.set_constrained_flag(*mesh_.twin(e), false);
+      for (const SegmentId s : owners) {
+        add_owner_between(u, z, s, t_u, t_z);
+        add_owner_between(z, w, s, t_z, t_w);
+      }
+      std::vector<HalfEdge> suspects{e};
+      restore_delaunay(mesh_, suspects);
+      return z;
+    }
+    return std::nullopt;
+  }
+
+  bool shares_owner(VertexId a, VertexId b, const std::vector<SegmentId>& owners) const {
+    const HalfEdge edge = *mesh_.find_edge(a, b);
+    if (!mesh_.is_constrained(edge)) return false;
+    return std::ranges::any_of(mesh_.segments_of(edge), [&](SegmentId s) {
+      return s == segment_ || std::ranges::find(owners, s) != owners.end();
+    });
+  }
+
+  void add_owner_between(VertexId a, VertexId b, SegmentId s, double t_a, double t_b) {
+    const HalfEdge edge = *mesh_.find_edge(a, b);
+    const bool forward = mesh_.origin(edge) == a;
+    mesh_.add_owner(edge, s, forward ? t_a : t_b, forward ? t_b : t_a);
+  }
+
+  bool is_within_rounding(VertexId z, VertexId u, VertexId w) const {
+    const Point a = mesh_.point(u), b = mesh_.point(w), c = mesh_.point(z);
+    const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    const Point ab = b - a;
+    const double s = dot(c - a, ab) / dot(ab, ab);
+    const double distance = std::abs(lepp::cross(ab, c - a)) / std::sqrt(dot(ab, ab));
+    return s > 0 && s < 1 && distance <= 8 * 0x1p-52 * largest;
   }
 
   static std::array<Point, 9> near(Point p) {
@@ -219,6 +274,7 @@ class SegmentInserter {
   TriangulationReport& report_;
   SegmentId segment_;
   std::vector<VertexPair> crossed_;
+  std::size_t bends_ = 0;
 };
 
 }  // namespace
