@@ -84,10 +84,17 @@ class Pipeline {
     const NonobtuseReport removed = make_boundary_nonobtuse(mesh_, nonobtuse);
     RefineOptions asked = options_.refine;
     asked.obtuse = ObtuseRule::split_first;
-    const RefineReport judged =
-        judge(mesh_, asked, refined_.goal_reached ? Reason::method : Reason::budget);
+    const RefineReport judged = judge(mesh_, asked, own_reason(refined_).value_or(Reason::method));
     refined_.unfinished = judged.unfinished;
     refined_.goal_reached = judged.goal_reached && removed.goal_reached;
+  }
+
+  // Why refinement stopped short, where the input is not to blame.
+  static std::optional<Reason> own_reason(const RefineReport& refined) {
+    for (const Unfinished& u : refined.unfinished) {
+      if (!is_forced_by_input(u.reason)) return u.reason;
+    }
+    return std::nullopt;
   }
 
   void note_stage(const std::string& name, std::size_t vertices_before) {

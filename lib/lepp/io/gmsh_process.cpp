@@ -161,7 +161,7 @@ std::optional<std::vector<std::byte>> read_until(int descriptor, Clock::time_poi
   seconds.erase(seconds.find_last_not_of('0') + 1);
   if (seconds.ends_with('.')) seconds.pop_back();
   throw RefusedError(task.display_name, "Gmsh did not finish reading it in " + seconds + " seconds",
-                     "simplify its loops, sizes and fields, or allow more time");
+                     "simplify its loops, sizes and fields (the limit is GmshOptions::seconds)");
 }
 
 [[noreturn]] void no_record(const GmshTask& task, const GmshOptions& options, int status) {

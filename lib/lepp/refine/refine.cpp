@@ -33,8 +33,8 @@ double wanted_area(const Mesh& mesh, const RefineOptions& options, TriangleId t)
   return std::min(options.max_area, mesh.entities()[mesh.region(t)].max_area);
 }
 
-// Vertices that the sizes alone will need: half as many as equilateral triangles fit.
-double predicted_vertices(const Mesh& mesh, const RefineOptions& options) {
+// Triangles that the sizes alone will need: as many equilateral ones of that size as fit.
+double predicted_triangles(const Mesh& mesh, const RefineOptions& options) {
   double predicted = 0;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
@@ -46,7 +46,7 @@ double predicted_vertices(const Mesh& mesh, const RefineOptions& options) {
 }
 
 std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
-  const double by_size = predicted_vertices(mesh, options);
+  const double by_size = predicted_triangles(mesh, options);
   if (by_size > largest_predicted_size) {
     throw RefusedError("size bounds",
                        "they need about " + to_text(std::round(by_size)) +
@@ -184,8 +184,8 @@ class Bounds {
     const double q = quality_.q(mesh, t);
     if (!(q < quality_.epsilon)) return std::nullopt;
     const bool shape = quality_.measures == QualityIndicator::Measures::shape;
-    if (shape &&
-        (smallest_angle_between_constrained(mesh, t) || shortest_edge_is_seditious(mesh, t))) {
+    if (shape && (smallest_angle_between_constrained(mesh, t) ||
+                  shortest_edge_is_seditious(mesh, t) || at_input_feature(mesh, t, 2 * floor_))) {
       return std::nullopt;
     }
     return Badness{false, quality_.epsilon - q};

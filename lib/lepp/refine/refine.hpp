@@ -45,7 +45,7 @@ struct RefineReport {
 /// \pre     `mesh` satisfies M1 to M6
 /// \return  always, with a mesh that satisfies M1 to M6, and a reason per unfinished triangle
 /// \throw   InputError on options out of range; RefusedError when the sizes alone predict more
-///          than 1e8 vertices
+///          than 1e8 triangles
 /// Cost     O(log n) per Steiner point. Source [rivara1999]; docs/algorithms/refine.md
 RefineReport refine(Mesh& mesh, const RefineOptions& options = {});
 

@@ -8,11 +8,11 @@ namespace lepp {
 
 /// Replaces the diagonal of the quadrilateral around `e` by the other one:
 ///
-///         d                 d
-///       / | \             /   \         e  = a -> b, on the left of it apex c ... seen in `e`'s
-///      a  |  c   --->    a --- c             triangle; d is the apex across
-///       \ | /             \   /
 ///         b                 b
+///       / | \             /   \         e = a -> b; c is the apex on its left, d across
+///      c  |  d   --->    c --- d
+///       \ | /             \   /
+///         a                 a
 ///
 /// Triangle ids stay; afterwards `e` is the new diagonal seen from its triangle.
 /// \pre   `e` has a twin, is not constrained, and the quadrilateral is strictly convex
@@ -27,7 +27,7 @@ bool is_flippable(const Mesh& mesh, HalfEdge e);
 bool is_locally_delaunay(const Mesh& mesh, HalfEdge e);
 
 /// Lawson's algorithm: flips until every unconstrained edge reachable from `suspects` is locally
-/// Delaunay. Ends, because each flip lifts the surface z = x^2 + y^2 over the triangulation.
+/// Delaunay. Ends, because each flip lowers the surface z = x^2 + y^2 that the triangulation spans.
 /// \param suspects  edges to look at; emptied. Stale entries are harmless.
 /// \param changed   if given, triangles that a flip touched are appended (with repetitions)
 void restore_delaunay(Mesh& mesh, std::vector<HalfEdge>& suspects,

@@ -32,11 +32,11 @@ struct MeshReport {
 
 /// M1 ids in range, every vertex used. M2 triangles strictly counter-clockwise. M3 twin(twin(e))
 /// == e with the same two vertices, no edge of three triangles. M4 boundary edges are constrained,
-/// both sides of an edge agree. M5 each segment is a chain of constrained edges, and each
-/// constrained edge has a record. M6 each unconstrained edge is locally Delaunay (exact).
-/// M7, M8: the claims.
-/// Collects violations, throws nothing, changes nothing, and shares nothing but the predicates
-/// with what it checks.  Cost O(n log n).
+/// edges between regions too, both sides of an edge agree. M5 each segment is a chain of
+/// constrained edges, and each constrained edge has a record. M6 each unconstrained edge is locally
+/// Delaunay (exact). M7, M8: the claims. Collects violations, throws nothing, changes nothing, and
+/// shares nothing but the predicates with what it checks (and InputReasons, where a claim names a
+/// reason).  Cost O(n log n).
 MeshReport validate(const Mesh& mesh, const MeshClaims& claims = {});
 
 }  // namespace lepp
