@@ -37,6 +37,7 @@ int run(CheckCommand& command) {
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  check_report_target(command.json, command.mesh);
   RunReport report;
   report.input = command.mesh.string();
   const Mesh mesh = read_mesh(command.mesh, report.warnings).mesh;
@@ -54,7 +55,9 @@ int run(CheckCommand& command) {
   report.input_vertices = mesh.vertex_count();
   report.admissible = certificate.admissible;
   report.offending_edges = offending_edges(mesh, certificate);
-  report.valid = checked.valid() && (certificate.admissible || !command.admissible);
+  const bool obtuse = report.quality.obtuse_constrained.exact > 0;
+  report.valid = checked.valid() && (certificate.admissible || !command.admissible) &&
+                 (!obtuse || !command.claims.nonobtuse);
   report.violations = checked.violations;
   report.groups = group_figures(mesh);
   report.seconds.total = seconds();

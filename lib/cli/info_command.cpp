@@ -100,12 +100,10 @@ std::string as_text(const Json& info) {
 }
 
 int run(const InfoCommand& command) {
+  check_report_target(command.json, command.input);
   const Json info = describe(read_input(command.input, command.gmsh));
-  if (command.json.empty()) {
-    std::fputs(as_text(info).c_str(), stdout);
-    return done;
-  }
-  write_text(command.json, info.dump(2) + "\n");
+  if (command.json.empty()) write_text("-", as_text(info));
+  else write_text(command.json, info.dump(2) + "\n");
   return done;
 }
 

@@ -5,8 +5,8 @@
 
 namespace lepp::cli {
 
-/// From now on the first Ctrl-C or SIGTERM only sets a flag, and writing past a file-size limit or into a
-/// closed pipe is an error that a writer sees, not the end of the process.
+/// From now on the first Ctrl-C or SIGTERM only sets a flag, and writing past a file-size limit or
+/// into a closed pipe is an error that a writer sees, not the end of the process.
 void catch_signals();
 
 /// True once the user asked to stop.

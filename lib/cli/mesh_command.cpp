@@ -27,8 +27,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 int run(MeshCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   check_mesh_target(command.output, command.input);
+  check_report_target(command.json, command.input, files_of(command.output.target));
   command.mesh.nonobtuse = !command.no_nonobtuse;
   command.mesh.crossings = command.split_crossings ? Crossings::split : Crossings::refuse;
+  command.gmsh.keep_going = [] { return !interrupted(); };
   const Input input = read_input(command.input, command.gmsh);
   const double reading = seconds_since(start);
   Meshed meshed = make_mesh(input, command.mesh);

@@ -17,13 +17,54 @@ std::vector<fs::path> files_of(const fs::path& target) {
   return {node.replace_extension(".node"), target, poly.replace_extension(".poly")};
 }
 
-void check_target(const fs::path& target, const fs::path& input, bool force) {
-  std::error_code error;
-  if (fs::equivalent(target, input, error)) {
-    throw OutputError(target.string(), "is also the input", "choose another name with -o");
+namespace {
+
+// The files that reading `input` may read: those of Triangle come in sets of one name.
+std::vector<fs::path> files_read(const fs::path& input) {
+  std::vector<fs::path> files{input};
+  const std::string kind = input.extension().string();
+  if (kind != ".ele" && kind != ".poly" && kind != ".node") return files;
+  for (const char* other : {".ele", ".node", ".poly", ".edge"}) {
+    fs::path file = input;
+    files.push_back(file.replace_extension(other));
   }
+  return files;
+}
+
+void refuse_input(const fs::path& target, const fs::path& input) {
+  std::error_code error;  // a file that does not exist is no input
+  for (const fs::path& file : files_read(input)) {
+    if (fs::equivalent(target, file, error)) {
+      throw OutputError(target.string(), "is also the input", "choose another name");
+    }
+  }
+}
+
+void print(std::FILE* stream, const std::string& text) {
+  const bool written = std::fputs(text.c_str(), stream) >= 0 && std::fflush(stream) == 0;
+  if (!written && stream == stdout) {
+    throw OutputError("standard output", "could not be written", "look where it is sent to");
+  }
+}
+
+}  // namespace
+
+void check_target(const fs::path& target, const fs::path& input, bool force) {
+  refuse_input(target, input);
+  std::error_code error;
   if (!force && fs::is_regular_file(target, error)) {
     throw OutputError(target.string(), "exists already", "choose another name, or add --force");
+  }
+}
+
+void check_report_target(const std::string& json, const fs::path& input,
+                         const std::vector<fs::path>& outputs) {
+  if (json.empty() || json == "-") return;
+  refuse_input(json, input);
+  for (const fs::path& output : outputs) {
+    if (fs::absolute(json).lexically_normal() == fs::absolute(output).lexically_normal()) {
+      throw OutputError(json, "is named for two outputs", "give --json another name");
+    }
   }
 }
 
@@ -45,7 +86,7 @@ void write_mesh(const Mesh& mesh, const OutputOptions& options) {
 
 void write_text(const std::string& target, const std::string& text) {
   if (target == "-") {
-    std::fputs(text.c_str(), stdout);
+    print(stdout, text);
     return;
   }
   AtomicFiles files;
@@ -57,7 +98,7 @@ void print_report(const RunReport& report, const std::string& json, bool quiet) 
   const bool json_on_stdout = json == "-";
   if (!quiet) {
     const std::string text = to_text(report);
-    std::fputs(text.c_str(), json_on_stdout ? stderr : stdout);
+    print(json_on_stdout ? stderr : stdout, text);
   }
   if (!json.empty()) write_text(json, to_json(report));
 }

@@ -21,10 +21,13 @@ struct OutputOptions {
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& target);
 
 /// Asked before any work: \throw InputError for a kind of file that is no mesh format, OutputError
-/// for a target that exists (without `force`) or is the input (always).
+/// for a target that exists (without `force`) or is a file of the input (always).
 void check_mesh_target(const OutputOptions& options, const std::filesystem::path& input);
 void check_target(const std::filesystem::path& target, const std::filesystem::path& input,
                   bool force);
+/// The report may replace an older one, but no file of the input and no other output.
+void check_report_target(const std::string& json, const std::filesystem::path& input,
+                         const std::vector<std::filesystem::path>& outputs = {});
 
 /// Writes .msh, .vtu or .ele, as the name says.
 void write_mesh(const Mesh& mesh, const OutputOptions& options);

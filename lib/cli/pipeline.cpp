@@ -36,7 +36,7 @@ class Pipeline {
     refine_options.progress = [&](std::size_t vertices) { return progress(vertices); };
     report_.seconds.refine = timed([&] { raise_angles(refine_options); });
     note_stage("refine", report_.input_vertices);
-    if (options_.method == Method::paper && options_.nonobtuse) {
+    if (options_.method == Method::paper && options_.nonobtuse && !interrupted()) {
       const std::size_t before = mesh_.vertex_count();
       report_.seconds.nonobtuse = timed([&] { remove_obtuse_angles(); });
       note_stage("nonobtuse", before);
@@ -84,7 +84,9 @@ class Pipeline {
     const NonobtuseReport removed = make_boundary_nonobtuse(mesh_, nonobtuse);
     RefineOptions asked = options_.refine;
     asked.obtuse = ObtuseRule::split_first;
-    const RefineReport judged = judge(mesh_, asked, own_reason(refined_).value_or(Reason::method));
+    const auto why = own_reason(refined_);
+    const RefineReport judged =
+        judge(mesh_, asked, why.value_or(removed.goal_reached ? Reason::method : Reason::budget));
     refined_.unfinished = judged.unfinished;
     refined_.goal_reached = judged.goal_reached && removed.goal_reached;
   }

@@ -4,6 +4,8 @@
 // Reads one file of the current folder with the Gmsh SDK and writes one record to descriptor 3.
 
 #include <gmsh.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -119,6 +121,7 @@ bool send(const std::vector<std::byte>& bytes) {
 }  // namespace
 
 int main(int count, char** words) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody is left to read the record
   Arguments arguments;
   if (!parse(count, words, arguments)) return 1;
   limit_resources(arguments.cpu_seconds, arguments.memory_bytes);

@@ -152,6 +152,16 @@ TEST_CASE("at any bound up to 45 degrees refine returns with a valid mesh") {
   }
 }
 
+TEST_CASE("an obtuse angle that the budget leaves is no input angle: the goal is not reached") {
+  Mesh mesh = constrained_delaunay(test::polygon({0, 0, 4, 0, 3.6, 0.65})).mesh;
+  RefineOptions options;
+  options.max_vertices = 3;
+  const RefineReport report = refine(mesh, options);
+  CHECK_FALSE(report.goal_reached);
+  REQUIRE(report.unfinished.size() == 1);
+  CHECK(report.unfinished[0].reason == Reason::budget);
+}
+
 TEST_CASE("sizes: longest edge, largest area, and area per region") {
   Pslg pslg = test::polygon({0, 0, 2, 0, 2, 1, 0, 1});
   test::add_chain(pslg, {{1, 0}, {1, 1}}, false);

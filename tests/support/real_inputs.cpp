@@ -16,6 +16,8 @@ std::optional<std::filesystem::path> real_input(const std::string& name) {
   return std::nullopt;
 }
 
+bool has_real_inputs() { return !std::string(LEPP_TEST_DATA).empty(); }
+
 std::size_t skipped_files() { return skipped; }
 
 }  // namespace lepp::test

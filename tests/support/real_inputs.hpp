@@ -11,6 +11,9 @@ namespace lepp::test {
 /// does without, and the file counts as skipped in the summary.
 std::optional<std::filesystem::path> real_input(const std::string& name);
 
+/// True if LEPP_TEST_DATA is set.
+bool has_real_inputs();
+
 std::size_t skipped_files();
 
 }  // namespace lepp::test

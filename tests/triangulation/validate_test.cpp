@@ -97,13 +97,19 @@ TEST_CASE("M4 fails, and only M4, on a boundary edge that is not constrained") {
 }
 
 TEST_CASE("M4 fails, and only M4, when the sides of an edge disagree") {
-  Mesh mesh = refined();
-  mesh.set_constrained_flag(inner_edge(mesh), true);
-  const HalfEdge e = inner_edge(mesh);
-  CHECK_FALSE(mesh.is_constrained(e));
-  const Rules rules = broken_rules(mesh);
-  CHECK(rules.contains("M4"));
-  CHECK_FALSE(rules.contains("M3"));
+  // The edge between two regions, constrained on one side only.
+  Mesh mesh =
+      test::from_triangles({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}, {0, 1});
+  const HalfEdge e = *mesh.find_edge(VertexId(2U), VertexId(0U));
+  REQUIRE(validate(mesh).valid());
+  mesh.set_constrained_flag(std::max(e, *mesh.twin(e)), false);
+  CHECK(broken_rules(mesh) == Rules{"M4"});
+}
+
+TEST_CASE("M1 fails, and only M1, on a segment between vertices that do not exist") {
+  Mesh mesh = test::from_triangles({{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
+  mesh.set_segments({{VertexId(0U), VertexId(9U), {}, 0, 1}});
+  CHECK(broken_rules(mesh) == Rules{"M1"});
 }
 
 TEST_CASE("M5 fails, and only M5, when a segment's chain has a gap") {
@@ -132,6 +138,13 @@ TEST_CASE("M7 does not take a reason that blames the input without cause") {
   std::vector<Unfinished> claimed;
   for (std::size_t t = 0; t < 2; ++t) claimed.push_back({TriangleId(t), Reason::input_angle});
   CHECK(broken_rules(mesh, {.min_angle_deg = 30, .unfinished = claimed}) == Rules{"M7"});
+}
+
+TEST_CASE("an input angle excuses no obtuse angle") {
+  const Mesh mesh = test::from_triangles({{0, 0}, {4, 0}, {3.6, 0.65}}, {{0, 1, 2}});
+  const Unfinished claimed{TriangleId(0U), Reason::input_angle};
+  CHECK(broken_rules(mesh, {.min_angle_deg = 30, .nonobtuse = true, .unfinished = {claimed}}) ==
+        Rules{"M8"});
 }
 
 TEST_CASE("M8 fails, and only M8, on an obtuse angle opposite a constrained edge") {

@@ -189,6 +189,7 @@ std::optional<std::pair<SegmentId, SegmentId>> first_bad_meeting(const Pslg& psl
 }
 
 void check_ids_and_range(const Pslg& pslg) {
+  check_entities(pslg.entities, pslg.points.size(), pslg.source);
   for (std::size_t i = 0; i < pslg.points.size(); ++i) {
     check_place(pslg, pslg.points[i], "point " + std::to_string(pslg.point_number(VertexId(i))));
   }
@@ -217,6 +218,32 @@ void check_ids_and_range(const Pslg& pslg) {
     }
     if (s.curve && s.curve->index() >= pslg.entities.curves.size()) {
       throw InputError(where, "its curve is missing", "add the curve to Pslg::entities");
+    }
+  }
+}
+
+void check_entities(const Entities& entities, std::size_t points, const std::string& source) {
+  const auto require = [&](bool holds, const std::string& who, int tag, const std::string& what) {
+    if (holds) return;
+    throw InputError(source + ", " + who + " " + std::to_string(tag), what + " that does not exist",
+                     "add it to Entities, or correct the id");
+  };
+  const auto check_groups = [&](const std::string& who, const auto& list) {
+    for (const auto& entity : list) {
+      for (const GroupId g : entity.groups) {
+        require(g.index() < entities.groups.size(), who, entity.tag, "is in a group");
+      }
+    }
+  };
+  check_groups("point", entities.points);
+  check_groups("curve", entities.curves);
+  check_groups("surface", entities.surfaces);
+  for (const PointEntity& point : entities.points) {
+    require(point.vertex.index() < points, "point", point.tag, "is at a vertex");
+  }
+  for (const CurveEntity& curve : entities.curves) {
+    for (const SurfaceId s : curve.bounds) {
+      require(s.index() < entities.surfaces.size(), "curve", curve.tag, "bounds a surface");
     }
   }
 }

@@ -78,7 +78,9 @@ struct PslgViolation {
 
 /// All of P1 to P4, checked pair by pair within bounding boxes.
 /// constrained_delaunay() needs P1 and P2 only: it merges, splits and reports the rest.
-/// \return  the broken rules, empty for a clean PSLG.  Cost O(n log n + pairs of touching boxes)
+/// \return  the broken rules, empty for a clean PSLG.  Cost O(n log n + pairs of segments that
+/// overlap in x).
+///          Where P1 or P2 is broken, the first offender alone is returned.
 std::vector<PslgViolation> validate(const Pslg& pslg);
 
 /// The first pair of segments that meet elsewhere than at a common end. \pre P2
@@ -86,5 +88,9 @@ std::optional<std::pair<SegmentId, SegmentId>> first_bad_meeting(const Pslg& psl
 
 /// P1 and P2 alone. \throw InputError naming the first offender
 void check_ids_and_range(const Pslg& pslg);
+
+/// The part of P2 inside the entities: groups, bounds and the vertices of point entities exist.
+/// \throw InputError naming the entity
+void check_entities(const Entities& entities, std::size_t points, const std::string& source);
 
 }  // namespace lepp

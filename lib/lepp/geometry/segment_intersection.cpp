@@ -22,11 +22,16 @@ SegmentMeeting collinear_meeting(Point a, Point b, Point c, Point d) {
 
 std::string describe(SegmentMeeting meeting) {
   switch (meeting) {
-    case SegmentMeeting::apart: return "do not meet";
-    case SegmentMeeting::at_shared_end: return "share an end";
-    case SegmentMeeting::touching: return "touch: an end of one lies inside the other";
-    case SegmentMeeting::crossing: return "cross";
-    case SegmentMeeting::overlapping: return "overlap";
+    case SegmentMeeting::apart:
+      return "do not meet";
+    case SegmentMeeting::at_shared_end:
+      return "share an end";
+    case SegmentMeeting::touching:
+      return "touch: an end of one lies inside the other";
+    case SegmentMeeting::crossing:
+      return "cross";
+    case SegmentMeeting::overlapping:
+      return "overlap";
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct GmshOptions {
   std::size_t memory_bytes = std::size_t{4} << 30U;  ///< address space of the helper
   std::optional<std::filesystem::path> helper;       ///< the program lepp-gmsh, if not where it is
                                                      ///< looked for
+  /// Asked about once a second while the helper works; false ends it with a RefusedError.
+  std::function<bool()> keep_going = {};
 };
 
 /// What a Gmsh file holds.

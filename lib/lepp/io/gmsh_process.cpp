@@ -137,13 +137,17 @@ class Helper {
 
 /// All bytes up to the end of the pipe; nothing if the deadline came first.
 std::optional<std::vector<std::byte>> read_until(int descriptor, Clock::time_point deadline,
-                                                 std::size_t most) {
+                                                 std::size_t most, const GmshTask& task,
+                                                 const GmshOptions& options) {
   std::vector<std::byte> bytes;
   std::array<std::byte, 65536> buffer;
   while (true) {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
     if (left.count() <= 0) return std::nullopt;
+    if (options.keep_going && !options.keep_going()) {
+      throw RefusedError(task.display_name, "was cancelled while Gmsh read it", "run it again");
+    }
     pollfd wait{descriptor, POLLIN, 0};
     const int ready =
         ::poll(&wait, 1, static_cast<int>(std::min<long long>(left.count() + 1, 1000)));
@@ -241,7 +245,7 @@ GmshRecord run_gmsh_helper(const PrivateFolder& folder, const GmshTask& task,
                  std::to_string(options.memory_bytes)},
                 write_end.value());
   write_end.close();
-  const auto bytes = read_until(read_end.value(), deadline, options.memory_bytes);
+  const auto bytes = read_until(read_end.value(), deadline, options.memory_bytes, task, options);
   if (!bytes) {
     helper.finish();
     out_of_time(task, options);

@@ -237,7 +237,11 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
     const bool obtuse_left = obtuse == ObtuseRule::split_first && faces_obtuse_constrained(mesh, t);
     if (!too_large && !obtuse_left && !bounds.poor(mesh, t)) continue;
     Reason reason = otherwise;
-    if (!too_large) reason = input.of(t).value_or(otherwise);
+    if (obtuse_left) {  // no input angle forces an obtuse one: cutting the edge removes it
+      if (!too_large && input.by_feature(t)) reason = Reason::input_feature;
+    } else if (!too_large) {
+      reason = input.of(t).value_or(otherwise);
+    }
     result.unfinished.push_back({t, reason});
     if (!is_forced_by_input(reason)) result.goal_reached = false;
   }

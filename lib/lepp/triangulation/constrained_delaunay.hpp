@@ -70,8 +70,8 @@ struct TriangleSoup {
 /// constrains the boundary, the edges between regions and the given segments. Nothing is flipped.
 /// \return  a mesh with M1 to M5 (M6 is the file's own affair; make_delaunay() restores it)
 /// \throw   InputError naming the triangle or edge: an id out of range, a triangle of zero area, an
-///          edge of three triangles, two triangles on the same side of an edge, no triangle at all,
-///          a segment that is no edge.
+///          edge of three triangles, two triangles on the same side of an edge, no triangle at all.
+///          A segment that is no edge of a triangle is dropped with a warning.
 Triangulation mesh_from_triangles(const TriangleSoup& soup);
 
 }  // namespace lepp

@@ -47,7 +47,7 @@ static_assert(sizeof(Triangle) == 32);
 /// Where a vertex comes from.
 struct VertexOrigin {
   enum class Kind : std::uint32_t {
-    input,       ///< a vertex of the PSLG, number `index` there
+    input,       ///< point `index` of the PSLG; from its size on, crossings of its segments
     on_segment,  ///< a Steiner point on a constrained edge; `index` is its SegmentSetId
     interior,    ///< a Steiner point inside a region
   };

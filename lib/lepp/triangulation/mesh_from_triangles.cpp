@@ -21,6 +21,7 @@ class SoupJoiner {
     mesh_.set_entities(soup_.entities);
     if (mesh_.entities().surfaces.empty()) mesh_.mutable_entities().surfaces.emplace_back();
     check_points();
+    check_ids();
     add_vertices();
     add_triangles();
     link_triangles();
@@ -53,6 +54,28 @@ class SoupJoiner {
     points.base = soup_.base;
     points.source = soup_.source;
     check_ids_and_range(points);
+  }
+
+  void check_ids() const {
+    const Entities& entities = mesh_.entities();
+    check_entities(entities, soup_.points.size(), soup_.source);
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(soup_.source, what, "correct the ids of the triangle soup");
+    };
+    if (!soup_.regions.empty() && soup_.regions.size() != soup_.triangles.size()) {
+      refuse("has " + std::to_string(soup_.regions.size()) + " regions for " +
+             std::to_string(soup_.triangles.size()) + " triangles");
+    }
+    for (const SurfaceId region : soup_.regions) {
+      if (region.index() >= entities.surfaces.size()) refuse("a triangle's region does not exist");
+    }
+    for (const Segment& s : soup_.segments) {
+      const bool ends = std::max(s.a, s.b).index() < soup_.points.size();
+      if (!ends) refuse("an end of a segment does not exist");
+      if (s.curve && s.curve->index() >= entities.curves.size()) {
+        refuse("the curve of a segment does not exist");
+      }
+    }
   }
 
   void add_vertices() {

@@ -34,10 +34,16 @@ InputReasons::InputReasons(const Mesh& mesh)
       floor_(default_size_floor(mesh)),
       in_sharp_wedge_(corners_in_sharp_wedges(mesh)) {}
 
-std::optional<Reason> InputReasons::of(TriangleId t) const {
+bool InputReasons::by_angle(TriangleId t) const {
   const bool in_wedge = (in_sharp_wedge_[t.index()] >> smallest_corner(mesh_, t) & 1U) != 0;
-  if (in_wedge || shortest_edge_is_seditious(mesh_, t)) return Reason::input_angle;
-  if (at_input_feature(mesh_, t, 2 * floor_)) return Reason::input_feature;
+  return in_wedge || shortest_edge_is_seditious(mesh_, t);
+}
+
+bool InputReasons::by_feature(TriangleId t) const { return at_input_feature(mesh_, t, 2 * floor_); }
+
+std::optional<Reason> InputReasons::of(TriangleId t) const {
+  if (by_angle(t)) return Reason::input_angle;
+  if (by_feature(t)) return Reason::input_feature;
   return std::nullopt;
 }
 

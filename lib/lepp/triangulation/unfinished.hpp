@@ -35,9 +35,12 @@ class InputReasons {
   /// Looks at the mesh as it is now. Cost O(triangles)
   explicit InputReasons(const Mesh& mesh);
 
-  /// input_angle where the smallest angle of `t` lies in a wedge of constrained edges below 60
-  /// degrees or its shortest edge is seditious there; input_feature where separate features of the
-  /// input are closer than twice the size floor.
+  /// True where the smallest angle of `t` lies in a wedge of constrained edges below 60 degrees,
+  /// or its shortest edge is seditious there. Excuses a small angle, never an obtuse one.
+  bool by_angle(TriangleId t) const;
+  /// True where separate features of the input are closer than twice the size floor.
+  bool by_feature(TriangleId t) const;
+  /// input_angle or input_feature, if one of them holds, in this order.
   std::optional<Reason> of(TriangleId t) const;
 
  private:

@@ -74,6 +74,13 @@ class Validator {
       if (!used[v]) broken("M1", "vertex " + std::to_string(v) + " is in no triangle");
     }
     if (mesh_.triangle_count() == 0) broken("M1", "there is no triangle");
+    for (std::size_t s = 0; s < mesh_.segments().size(); ++s) {
+      const Segment& segment = mesh_.segments()[s];
+      const bool ends = std::max(segment.a, segment.b).index() < mesh_.vertex_count();
+      const bool curve = !segment.curve || segment.curve->index() < mesh_.entities().curves.size();
+      if (!ends || !curve)
+        broken("M1", "segment " + std::to_string(s) + " names what is not there");
+    }
   }
 
   void check_orientation() {
@@ -191,7 +198,9 @@ class Validator {
     const auto found = std::ranges::lower_bound(claims_.unfinished, t, {}, &Unfinished::triangle);
     if (found == claims_.unfinished.end() || found->triangle != t) return false;
     if (!is_forced_by_input(found->reason)) return true;
-    if (input_->of(t) == found->reason) return true;
+    const bool by_angle = found->reason == Reason::input_angle;
+    if (by_angle && rule == "M8") return false;
+    if (by_angle ? input_->by_angle(t) : input_->by_feature(t)) return true;
     broken(rule, name(t) + " claims " + to_string(found->reason));
     return true;
   }
