@@ -22,6 +22,7 @@ extern "C" void ask_to_stop(int signal) {
 void catch_signals() {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGHUP, ask_to_stop);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

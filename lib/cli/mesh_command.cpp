@@ -1,9 +1,11 @@
 #include <chrono>
+#include <cstdio>
 #include <map>
 #include <memory>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "lepp/geometry/text.hpp"
 #include "outputs.hpp"
 #include "pipeline.hpp"
 
@@ -54,18 +56,51 @@ int run(MeshCommand& command) {
   }
   report.seconds.total = seconds_since(start);
   report.peak_memory_bytes = peak_memory_bytes();
+  if (command.quiet && status == unfinished && report.output.empty()) {
+    std::fprintf(stderr, "lepp: %s: %s\n", report.input.c_str(), report.warnings.back().c_str());
+  }
   print_report(report, command.json, command.quiet);
   return status;
+}
+
+CLI::Validator number_from(double least, double most) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool fits =
+                CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+            return fits ? std::string()
+                        : "give a number from " + to_text(least) + " to " + to_text(most);
+          },
+          ""};
+}
+
+CLI::Validator above_zero() {
+  return {[](const std::string& text) {
+            double value = 0;
+            const bool fits = CLI::detail::lexical_cast(text, value) && value > 0;
+            return fits ? std::string() : std::string("give a number above 0");
+          },
+          ""};
+}
+
+CLI::Validator count() {
+  return {[](const std::string& text) {
+            const bool fits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+            return fits ? std::string() : std::string("give a whole number from 1 on");
+          },
+          ""};
 }
 
 void add_quality_options(CLI::App& app, MeshCommand& command) {
   RefineOptions& refine = command.mesh.refine;
   app.add_option("--min-angle", refine.min_angle_deg, "smallest angle wanted, 0 to 45 degrees")
+      ->check(number_from(0, 45))
       ->capture_default_str();
-  app.add_option("--max-edge", refine.max_edge, "longest edge wanted");
-  app.add_option("--max-area", refine.max_area, "largest triangle wanted");
+  app.add_option("--max-edge", refine.max_edge, "longest edge wanted")->check(above_zero());
+  app.add_option("--max-area", refine.max_area, "largest triangle wanted")->check(above_zero());
   app.add_option("--max-vertices", refine.max_vertices,
-                 "budget of vertices (default: 50 times what input and sizes suggest)");
+                 "budget of vertices (default: 50 times what input and sizes suggest)")
+      ->check(count());
   static const std::map<std::string, Method> methods{{"unified", Method::unified},
                                                      {"paper", Method::paper}};
   app.add_option("--method", command.mesh.method,

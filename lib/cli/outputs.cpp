@@ -1,5 +1,6 @@
 #include "outputs.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "lepp/geometry/error.hpp"
@@ -71,8 +72,8 @@ void check_report_target(const std::string& json, const fs::path& input,
 void check_mesh_target(const OutputOptions& options, const fs::path& input) {
   const std::string kind = options.target.extension().string();
   if (kind != ".msh" && kind != ".vtu" && kind != ".ele") {
-    throw InputError(options.target.string(), "'" + kind + "' is no mesh format",
-                     "name the output .msh, .vtu or .ele");
+    throw CLI::ValidationError(
+        "--output", options.target.string() + " is of no mesh format; name it .msh, .vtu or .ele");
   }
   for (const fs::path& file : files_of(options.target)) check_target(file, input, options.force);
 }

@@ -20,8 +20,8 @@ struct OutputOptions {
 /// The files that writing a mesh to `target` makes: X.ele stands for X.node, X.ele and X.poly.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& target);
 
-/// Asked before any work: \throw InputError for a kind of file that is no mesh format, OutputError
-/// for a target that exists (without `force`) or is a file of the input (always).
+/// Asked before any work: \throw CLI::ValidationError for a kind of file that is no mesh format,
+/// OutputError for a target that exists (without `force`) or is a file of the input (always).
 void check_mesh_target(const OutputOptions& options, const std::filesystem::path& input);
 void check_target(const std::filesystem::path& target, const std::filesystem::path& input,
                   bool force);

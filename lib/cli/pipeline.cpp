@@ -105,7 +105,7 @@ class Pipeline {
 
   void finish() {
     Certificate certificate;
-    report_.seconds.voronoi = timed([&] { certificate = certify(mesh_); });
+    if (!interrupted()) report_.seconds.voronoi = timed([&] { certificate = certify(mesh_); });
     report_.seconds.check = timed([&] { check(); });
     report_.quality = measure(mesh_);
     report_.steiner_points = mesh_.vertex_count() - report_.input_vertices;

@@ -28,7 +28,8 @@ TEST_CASE("the version and the help are printed with status 0, usage errors have
   CHECK(has(help.out, "lepp mesh plate.geo -o plate.msh"));
   for (const char* wrong :
        {"", "frobnicate", "mesh", "mesh in.poly", "mesh in.poly -o x.msh --method none",
-        "mesh in.poly -o x.msh --min-angle many"}) {
+        "mesh in.poly -o x.msh --min-angle many", "mesh in.poly -o x.msh --min-angle nan",
+        "mesh in.poly -o x.msh --max-edge 0", "mesh in.poly -o x.msh --max-vertices -5"}) {
     CAPTURE(wrong);
     CHECK(run(folder.path(), wrong).status == 1);
   }
@@ -64,6 +65,17 @@ TEST_CASE("nothing is overwritten without --force, and an input never") {
   CHECK(content_of(folder.path() / "in.poly") == square);
 }
 
+TEST_CASE("a report never replaces an input or the mesh of the same run") {
+  const ScratchFolder folder;
+  write(folder.path() / "in.poly", square);
+  CHECK(run(folder.path(), "mesh in.poly -o out.msh -q --force --json in.poly").status == 5);
+  CHECK(run(folder.path(), "mesh in.poly -o out.msh -q --force --json out.msh").status == 5);
+  CHECK(run(folder.path(), "info in.poly --json in.poly").status == 5);
+  CHECK(content_of(folder.path() / "in.poly") == square);
+  CHECK_FALSE(fs::exists(folder.path() / "out.msh"));
+  CHECK(run(folder.path(), "info in.poly > /dev/full").status == 5);
+}
+
 TEST_CASE("bad input has status 2 and names file and line; nothing is written") {
   const ScratchFolder folder;
   write(folder.path() / "in.poly", "3 2 0 0\n1 0 0\n2 nan 0\n3 0 1\n0 0\n0\n");
@@ -72,7 +84,7 @@ TEST_CASE("bad input has status 2 and names file and line; nothing is written") 
   CHECK(has(made.err, "in.poly, line 3"));
   CHECK(files_in(folder.path()) == std::vector<std::string>{"in.poly"});
   CHECK(run(folder.path(), "mesh missing.poly -o out.msh").status == 2);
-  CHECK(run(folder.path(), "mesh in.poly -o out.stl").status == 2);
+  CHECK(run(folder.path(), "mesh in.poly -o out.stl").status == 1);
 }
 
 TEST_CASE("an unreached goal has status 3 and writes only if asked to") {

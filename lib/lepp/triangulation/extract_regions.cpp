@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "lepp/triangulation/regions.hpp"
 
@@ -6,10 +7,10 @@ namespace lepp {
 
 namespace {
 
-// A run of consecutive edges of one segment inside the domain.
+// One edge of one segment.
 struct Piece {
-  VertexId a, b;
-  double t_a, t_b;
+  SegmentId of;  // in the old mesh
+  Segment segment;
 };
 
 class Extractor {
@@ -90,48 +91,44 @@ class Extractor {
     }
   }
 
+  // Each edge inside becomes a segment of its own for each segment that owns it: before refinement
+  // the vertices are those of the input, so a segment ends at every one it passes through, and
+  // edges that meet there are known to meet.
   void copy_segments() {
     std::vector<std::size_t> edges(from_.segments().size(), 0), inside(edges);
-    for_each_constrained_edge([&](HalfEdge e) {
-      for (const SegmentId s : from_.segments_of(e)) {
-        ++edges[s.index()];
-        if (kept(e)) ++inside[s.index()];
-      }
-    });
-    std::vector<Segment> segments;
-    new_segment_.resize(edges.size());
-    for (std::size_t s = 0; s < edges.size(); ++s) {
-      if (edges[s] > 0 && inside[s] < edges[s]) ++report_.segments_outside;
-      if (inside[s] == 0) continue;
-      new_segment_[s].first = SegmentId(segments.size());
-      if (inside[s] == edges[s]) {
-        Segment segment = from_.segments()[s];
-        segment.a = *vertex_[segment.a.index()];
-        segment.b = *vertex_[segment.b.index()];
-        segments.push_back(segment);
-      } else {
-        for (const Piece& piece : pieces_inside(SegmentId(s))) {
-          segments.push_back({piece.a, piece.b, from_.segments()[s].curve, piece.t_a, piece.t_b});
-        }
-      }
-      new_segment_[s].count = segments.size() - new_segment_[s].first.index();
-    }
-    const std::size_t of_input = segments.size();
-    add_open_sides(segments);
-    to_.set_segments(std::move(segments));
-    own_edges(of_input);
-  }
-
-  // A segment that is partly outside leaves one piece per edge inside.
-  std::vector<Piece> pieces_inside(SegmentId s) const {
     std::vector<Piece> pieces;
     for_each_constrained_edge([&](HalfEdge e) {
-      const auto owners = from_.segments_of(e);
-      if (!kept(e) || std::ranges::find(owners, s) == owners.end()) return;
       const auto [t_a, t_b] = parameters(e);
-      pieces.push_back({new_vertex(from_.origin(e)), new_vertex(from_.destination(e)), t_a, t_b});
+      for (const SegmentId s : from_.segments_of(e)) {
+        ++edges[s.index()];
+        if (!kept(e)) continue;
+        ++inside[s.index()];
+        const Segment piece{new_vertex(from_.origin(e)), new_vertex(from_.destination(e)),
+                            from_.segments()[s.index()].curve, t_a, t_b};
+        pieces.push_back({s, piece});
+      }
     });
-    return pieces;
+    for (std::size_t s = 0; s < edges.size(); ++s) {
+      if (inside[s] < edges[s]) ++report_.segments_outside;
+    }
+    to_.set_segments(in_input_order(pieces));
+    own_edges();
+  }
+
+  // The segments in the order of the input, and in new_id_ where each piece went.
+  std::vector<Segment> in_input_order(const std::vector<Piece>& pieces) {
+    std::vector<std::size_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return pieces[i].of; });
+    std::vector<Segment> segments;
+    new_id_.resize(pieces.size());
+    for (const std::size_t i : order) {
+      new_id_[i] = SegmentId(segments.size());
+      segments.push_back(pieces[i].segment);
+    }
+    of_input_ = segments.size();
+    add_open_sides(segments);
+    return segments;
   }
 
   VertexId new_vertex(VertexId old) const { return *vertex_[old.index()]; }
@@ -155,31 +152,21 @@ class Extractor {
     }
   }
 
-  void own_edges(std::size_t of_input) {
+  void own_edges() {
+    std::size_t next = 0;  // pieces come up in the order in which copy_segments() saw them
     for_each_constrained_edge([&](HalfEdge old) {
       if (!kept(old)) return;
       const auto across = from_.twin(old);
       const HalfEdge side = kept(old.triangle) ? old : *across;
       const HalfEdge e{*triangle_[side.triangle.index()], side.edge};
       const auto [t_a, t_b] = parameters(side);
-      for (const SegmentId s : from_.segments_of(old)) to_.add_owner(e, owner(s, e), t_a, t_b);
+      for (std::size_t k = from_.segments_of(old).size(); k > 0; --k) {
+        to_.add_owner(e, new_id_[next++], t_a, t_b);
+      }
     });
     for (std::size_t i = 0; i < open_sides_.size(); ++i) {
-      to_.add_owner(open_sides_[i], SegmentId(of_input + i), 0, 1);
+      to_.add_owner(open_sides_[i], SegmentId(of_input_ + i), 0, 1);
     }
-  }
-
-  // The new id of segment s, or of the piece of s that is edge e.
-  SegmentId owner(SegmentId s, HalfEdge e) const {
-    const auto [first, count] = new_segment_[s.index()];
-    const VertexId a = to_.origin(e), b = to_.destination(e);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Segment& piece = to_.segments()[first.index() + i];
-      if ((piece.a == a && piece.b == b) || (piece.a == b && piece.b == a)) {
-        return SegmentId(first.index() + i);
-      }
-    }
-    return first;
   }
 
   void keep_point_entities() {
@@ -193,18 +180,14 @@ class Extractor {
     to_.mutable_entities().points = std::move(inside);
   }
 
-  struct Renumbered {
-    SegmentId first;
-    std::size_t count = 0;
-  };
-
   const Mesh& from_;
   const std::vector<std::optional<SurfaceId>>& regions_;
   TriangulationReport& report_;
   Mesh to_;
   std::vector<std::optional<VertexId>> vertex_;
   std::vector<std::optional<TriangleId>> triangle_;
-  std::vector<Renumbered> new_segment_;
+  std::vector<SegmentId> new_id_;
+  std::size_t of_input_ = 0;
   std::vector<HalfEdge> open_sides_;
 };
 

@@ -80,8 +80,8 @@ class Mesh {
   std::span<const Point> points() const { return points_; }
   std::span<const Triangle> triangles() const { return triangles_; }
   std::span<const VertexOrigin> origins() const { return origins_; }
-  /// The input segments, with mesh vertices as ends; then the sides of the mesh that no input
-  /// segment asked for.
+  /// The input segments, cut at input points on them and at crossings; then the sides of the mesh
+  /// that no input segment asked for.
   std::span<const Segment> segments() const { return segments_; }
   const Entities& entities() const { return entities_; }
   /// What messages call the input, and the number of its first point there.

@@ -125,6 +125,20 @@ bool is_seditious(const Mesh& mesh, VertexId u, VertexId w, const Segment& r, co
   return std::abs(to_u - to_w) <= 1e-9 * std::max(to_u, to_w);
 }
 
+bool is_interior(const Mesh& mesh, VertexId v) {
+  return mesh.origin_of(v).kind == VertexOrigin::Kind::interior;
+}
+
+// True if no segment of one list is in the other or shares an end with one of the other.
+bool are_separate(const Mesh& mesh, std::span<const SegmentId> some,
+                  std::span<const SegmentId> others) {
+  return std::ranges::none_of(some, [&](SegmentId r) {
+    return std::ranges::any_of(others, [&](SegmentId s) {
+      return r == s || common_end(mesh.segments()[r.index()], mesh.segments()[s.index()]);
+    });
+  });
+}
+
 double distance_to_segment(Point p, Point a, Point b) {
   const Point ab = b - a;
   const double s = std::clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0);
@@ -196,16 +210,18 @@ bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t) {
 }
 
 bool at_input_feature(const Mesh& mesh, TriangleId t, double floor) {
-  const auto of_input = [&](VertexId v) {
-    return mesh.origin_of(v).kind != VertexOrigin::Kind::interior;
-  };
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge e{t, i};
     const VertexId a = mesh.origin(e), b = mesh.destination(e), c = mesh.apex(e);
     const Point p = mesh.point(a), q = mesh.point(b);
-    // No split makes an edge this short, so its ends belong to separate features.
-    if (of_input(a) && of_input(b) && squared_distance(p, q) < floor * floor) return true;
-    if (of_input(c) && mesh.is_constrained(e) && distance_to_segment(mesh.point(c), p, q) < floor) {
+    if ((mesh.is_input(a) || mesh.is_input(b)) && !is_interior(mesh, a) && !is_interior(mesh, b) &&
+        squared_distance(p, q) < floor * floor &&
+        are_separate(mesh, segments_at(mesh, a), segments_at(mesh, b))) {
+      return true;
+    }
+    if (!is_interior(mesh, c) && mesh.is_constrained(e) &&
+        distance_to_segment(mesh.point(c), p, q) < floor &&
+        are_separate(mesh, segments_at(mesh, c), mesh.segments_of(e))) {
       return true;
     }
   }

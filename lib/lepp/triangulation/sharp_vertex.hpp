@@ -40,8 +40,9 @@ bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t);
 /// picture at half the scale.
 bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t);
 
-/// True if the input itself has two separate features closer than `floor` at `t`: two vertices of
-/// input vertices or segments, or such a vertex and a segment.
+/// True if the input itself has two separate features closer than `floor` at `t`: a vertex of the
+/// input and another point of the input, or such a point and a segment, where no segment of one is
+/// or touches a segment of the other.
 bool at_input_feature(const Mesh& mesh, TriangleId t, double floor);
 
 }  // namespace lepp
