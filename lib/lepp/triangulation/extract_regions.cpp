@@ -103,8 +103,13 @@ class Extractor {
         ++edges[s.index()];
         if (!kept(e)) continue;
         ++inside[s.index()];
-        const Segment piece{new_vertex(from_.origin(e)), new_vertex(from_.destination(e)),
-                            from_.segments()[s.index()].curve, t_a, t_b};
+        const Segment& whole = from_.segments()[s.index()];
+        Segment piece{new_vertex(from_.origin(e)), new_vertex(from_.destination(e)), whole.curve,
+                      t_a, t_b};
+        if (!runs_along(e, whole)) {
+          std::swap(piece.a, piece.b);
+          std::swap(piece.t_a, piece.t_b);
+        }
         pieces.push_back({s, piece});
       }
     });
@@ -113,6 +118,11 @@ class Extractor {
     }
     to_.set_segments(in_input_order(pieces));
     own_edges();
+  }
+
+  bool runs_along(HalfEdge e, const Segment& s) const {
+    const auto along = [&](VertexId a, VertexId b) { return from_.point(b) - from_.point(a); };
+    return dot(along(from_.origin(e), from_.destination(e)), along(s.a, s.b)) >= 0;
   }
 
   // The segments in the order of the input, and in new_id_ where each piece went.
