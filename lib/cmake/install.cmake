@@ -18,6 +18,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/triangulation/constrained_delaunay.hpp
   lepp/triangulation/dual_graph.hpp
   lepp/triangulation/dual_graph_bgl.hpp  # the one that needs Boost; no other includes it
+  lepp/triangulation/edge_records.hpp
   lepp/triangulation/edges_by_group.hpp
   lepp/triangulation/encroached.hpp
   lepp/triangulation/flip.hpp

@@ -48,12 +48,12 @@ TEST_CASE("splitting a constrained edge hands tags and parameters to both halves
   CHECK(mesh.origin_of(m).kind == VertexOrigin::Kind::on_segment);
   CHECK(measure_entities(mesh).curve_lengths == std::vector<double>{4, 5, 3});
   for (const VertexId end : {VertexId(0U), VertexId(1U)}) {
-    const ConstrainedEdge* record = mesh.find_record(m, end);
-    REQUIRE(record != nullptr);
+    const auto record = mesh.find_record(m, end);
+    REQUIRE(record.has_value());
     CHECK(record->t_high == 0.5);
     CHECK(record->t_low == (end == VertexId(0U) ? 0.0 : 1.0));
   }
-  CHECK(mesh.find_record(VertexId(0U), VertexId(1U)) == nullptr);
+  CHECK_FALSE(mesh.find_record(VertexId(0U), VertexId(1U)));
   CHECK(validate(mesh).summary() == "valid");
 }
 

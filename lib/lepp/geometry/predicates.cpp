@@ -4,39 +4,33 @@
 #include <limits>
 
 #include "lepp/geometry/expansion.hpp"
+#include "lepp/geometry/integer_signs.hpp"
 
 namespace lepp {
-
-namespace {
 
 // Coordinates are 0 or in [2^-140, 2^200] (pslg.hpp), so they are multiples of 2^-192 and every
 // product of up to four differences is a multiple of 2^-768 below 2^810: nothing under- or
 // overflows, and each expansion below is exact.
 static_assert(std::numeric_limits<double>::is_iec559);
 
-// Half an ulp of 1: the largest relative error of one rounded operation.
-constexpr double epsilon = 0x1p-53;
+namespace exact {
 
-// First-order coefficients of the error of the rounded determinants, with room for second order;
-// as derived in [shewchuk1997].
-constexpr double two_products_bound = (3 + 16 * epsilon) * epsilon;
-constexpr double incircle_bound = (10 + 96 * epsilon) * epsilon;
-
-int sign_of(double x) { return (x > 0) - (x < 0); }
-
-int exact_orient2d(Point a, Point b, Point c) {
+int orient2d(Point a, Point b, Point c) {
+  if (const auto grid = on_common_grid<3>({a, b, c})) return integer::orient2d(*grid);
   const auto left = difference(a.x, c.x) * difference(b.y, c.y);
   const auto right = difference(a.y, c.y) * difference(b.x, c.x);
   return (left - right).sign();
 }
 
-int exact_dot(Point a, Point apex, Point b) {
+int dot_sign(Point a, Point apex, Point b) {
+  if (const auto grid = on_common_grid<3>({a, apex, b})) return integer::dot_sign(*grid);
   const auto x = difference(a.x, apex.x) * difference(b.x, apex.x);
   const auto y = difference(a.y, apex.y) * difference(b.y, apex.y);
   return (x + y).sign();
 }
 
-int exact_incircle(Point a, Point b, Point c, Point d) {
+int incircle(Point a, Point b, Point c, Point d) {
+  if (const auto grid = on_common_grid<4>({a, b, c, d})) return integer::incircle(*grid);
   const auto ax = difference(a.x, d.x), ay = difference(a.y, d.y);
   const auto bx = difference(b.x, d.x), by = difference(b.y, d.y);
   const auto cx = difference(c.x, d.x), cy = difference(c.y, d.y);
@@ -49,43 +43,7 @@ int exact_incircle(Point a, Point b, Point c, Point d) {
   return (from_a + from_b + from_c).sign();
 }
 
-}  // namespace
-
-int orient2d(Point a, Point b, Point c) {
-  const double left = (a.x - c.x) * (b.y - c.y);
-  const double right = (a.y - c.y) * (b.x - c.x);
-  const double det = left - right;
-  const double bound = two_products_bound * (std::abs(left) + std::abs(right));
-  if (det > bound || -det > bound) return sign_of(det);
-  return exact_orient2d(a, b, c);
-}
-
-int dot_sign(Point a, Point apex, Point b) {
-  const double x = (a.x - apex.x) * (b.x - apex.x);
-  const double y = (a.y - apex.y) * (b.y - apex.y);
-  const double sum = x + y;
-  const double bound = two_products_bound * (std::abs(x) + std::abs(y));
-  if (sum > bound || -sum > bound) return sign_of(sum);
-  return exact_dot(a, apex, b);
-}
-
-int incircle(Point a, Point b, Point c, Point d) {
-  const double ax = a.x - d.x, ay = a.y - d.y;
-  const double bx = b.x - d.x, by = b.y - d.y;
-  const double cx = c.x - d.x, cy = c.y - d.y;
-  const double bc = bx * cy, cb = by * cx;
-  const double ca = cx * ay, ac = cy * ax;
-  const double ab = ax * by, ba = ay * bx;
-  const double a2 = ax * ax + ay * ay;
-  const double b2 = bx * bx + by * by;
-  const double c2 = cx * cx + cy * cy;
-  const double det = a2 * (bc - cb) + b2 * (ca - ac) + c2 * (ab - ba);
-  const double size = a2 * (std::abs(bc) + std::abs(cb)) + b2 * (std::abs(ca) + std::abs(ac)) +
-                      c2 * (std::abs(ab) + std::abs(ba));
-  const double bound = incircle_bound * size;
-  if (det > bound || -det > bound) return sign_of(det);
-  return exact_incircle(a, b, c, d);
-}
+}  // namespace exact
 
 bool predicates_self_test() {
   // Three points on a line far from the origin, and one a single ulp off it, either way.

@@ -2,99 +2,108 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
 
-#include "lepp/geometry/text.hpp"
 #include "lepp/triangulation/delaunay.hpp"
+#include "lepp/triangulation/mesh_of_regions.hpp"
 #include "lepp/triangulation/regions.hpp"
 #include "lepp/triangulation/segments.hpp"
+#include "lepp/triangulation/spatial_order.hpp"
 
 namespace lepp {
 
 namespace {
 
-// For each point the first point with the same coordinates.
-std::vector<VertexId> first_copies(const Pslg& pslg, TriangulationReport& report) {
-  std::vector<VertexId> order;
-  for (std::size_t i = 0; i < pslg.points.size(); ++i) order.emplace_back(i);
-  std::ranges::sort(order, {}, [&](VertexId v) { return std::pair(pslg.points[v.index()], v); });
-  std::vector<VertexId> first(pslg.points.size());
-  std::optional<VertexId> lowest;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const VertexId v = order[k];
-    const bool copy = k > 0 && pslg.points[order[k - 1].index()] == pslg.points[v.index()];
-    first[v.index()] = copy ? first[order[k - 1].index()] : v;
-    if (!copy) continue;
-    ++report.duplicate_points;
-    if (!lowest || v < *lowest) lowest = v;
+// Puts one vertex for each distinct point into `raw`, along a space-filling curve, and returns the
+// vertex of each point.
+std::vector<VertexId> add_vertices(RawTriangulation& raw, const Pslg& pslg,
+                                   TriangulationReport& report) {
+  raw.input = spatial_order(pslg.points);
+  raw.points.reserve(raw.input.size());
+  std::vector<VertexId> vertex_of(pslg.points.size());
+  std::optional<std::uint32_t> lowest_copy;
+  for (const std::uint32_t i : raw.input) {  // equal points follow each other, the first one first
+    if (!raw.points.empty() && raw.points.back() == pslg.points[i]) {
+      ++report.duplicate_points;
+      lowest_copy = std::min(i, lowest_copy.value_or(i));
+    } else {
+      raw.input[raw.points.size()] = i;
+      raw.points.push_back(pslg.points[i]);
+    }
+    vertex_of[i] = VertexId(raw.points.size() - 1);
   }
-  if (lowest) {
-    report.first_duplicate = {pslg.point_number(first[lowest->index()]),
-                              pslg.point_number(*lowest)};
+  raw.input.resize(raw.points.size());
+  if (lowest_copy) {
+    const VertexId kept(raw.input[vertex_of[*lowest_copy].index()]);
+    report.first_duplicate = {pslg.point_number(kept), pslg.point_number(VertexId(*lowest_copy))};
     report.warnings.push_back(std::to_string(report.duplicate_points) +
                               " duplicate points merged, for example " +
                               std::to_string(report.first_duplicate.second) + " into " +
                               std::to_string(report.first_duplicate.first));
   }
-  return first;
-}
-
-// One vertex per distinct point, in input order.
-std::vector<VertexId> add_vertices(Mesh& mesh, const Pslg& pslg, TriangulationReport& report) {
-  const std::vector<VertexId> first = first_copies(pslg, report);
-  std::vector<VertexId> vertex_of(pslg.points.size());
-  mesh.reserve(pslg.points.size(), 2 * pslg.points.size());
-  for (std::size_t i = 0; i < pslg.points.size(); ++i) {
-    const bool is_first = first[i] == VertexId(i);
-    vertex_of[i] = is_first ? mesh.add_vertex(pslg.points[i], {VertexOrigin::Kind::input,
-                                                               static_cast<std::uint32_t>(i)})
-                            : vertex_of[first[i].index()];
-  }
   return vertex_of;
 }
 
-void add_segments(Mesh& mesh, const Pslg& pslg, const std::vector<VertexId>& vertex_of,
-                  TriangulationReport& report) {
-  std::vector<Segment> segments = pslg.segments;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    Segment& s = segments[i];
-    s.a = vertex_of[s.a.index()];
-    s.b = vertex_of[s.b.index()];
-    if (s.a != s.b) continue;
+void check_count(const Pslg& pslg) {
+  if (pslg.points.size() <= max_triangles / 2) return;
+  throw RefusedError(pslg.source,
+                     "has " + std::to_string(pslg.points.size()) +
+                         " points: more than 5.3e8, the most that 32-bit numbers allow",
+                     "split the domain");
+}
+
+void triangulate(RawTriangulation& raw, const Pslg& pslg) {
+  if (raw.points.size() >= 3 && triangulate_points(raw)) return;
+  throw InputError(pslg.source,
+                   raw.points.size() < 3
+                       ? "has " + std::to_string(raw.points.size()) +
+                             " distinct points: fewer than 3 non-collinear points"
+                       : "all " + std::to_string(raw.points.size()) + " points are collinear",
+                   "give at least three points that span an area");
+}
+
+// Twice the area of the convex hull: once around it, from ghost to ghost.
+double twice_hull_area(const RawTriangulation& raw) {
+  std::uint32_t first = 0;
+  while (!raw.is_ghost(first)) ++first;
+  const Point start = raw.point(raw.triangles[first].vertices[0]);
+  double area = 0;
+  std::uint32_t t = first;
+  do {
+    const auto& v = raw.triangles[t].vertices;
+    area += cross(raw.point(v[1]) - start, raw.point(v[0]) - start);
+    t = RawTriangulation::triangle_of(raw.twin(RawTriangulation::code(t, 0)));
+  } while (t != first);
+  return area;
+}
+
+// Nominally collinear points are not so in doubles; slivers of a few ulp are no mesh.
+void check_width(const RawTriangulation& raw, const Pslg& pslg) {
+  Point low = raw.points.front(), high = low;
+  for (const Point p : raw.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double diameter = std::sqrt(squared_distance(low, high));
+  const double largest =
+      std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
+  if (0.5 * twice_hull_area(raw) / diameter > 0x1p-49 * largest) return;
+  throw InputError(pslg.source,
+                   "all " + std::to_string(pslg.points.size()) +
+                       " points lie on one line up to rounding: no area to mesh",
+                   "give at least three points that span an area");
+}
+
+void note_zero_length(const Pslg& pslg, const std::vector<VertexId>& vertex_of,
+                      TriangulationReport& report) {
+  for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
+    const Segment& s = pslg.segments[i];
+    if (vertex_of[s.a.index()] != vertex_of[s.b.index()]) continue;
     if (++report.zero_length_segments == 1) {
       report.warnings.push_back(pslg.segment_name(SegmentId(i)) +
                                 " has equal ends and was dropped");
     }
   }
-  mesh.set_segments(std::move(segments));
-}
-
-void set_entities(Mesh& mesh, const Pslg& pslg, const std::vector<VertexId>& vertex_of) {
-  Entities entities = pslg.entities;
-  for (PointEntity& point : entities.points) point.vertex = vertex_of[point.vertex.index()];
-  mesh.set_entities(std::move(entities));
-}
-
-// Nominally collinear points are not so in doubles; slivers of a few ulp are no mesh.
-void check_width(const Mesh& mesh, const Pslg& pslg) {
-  Point low = mesh.point(VertexId(0U)), high = low;
-  double area = 0;
-  for (const Point p : mesh.points()) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const auto [a, b, c] = mesh.corners(TriangleId(t));
-    area += 0.5 * cross(b - a, c - a);
-  }
-  const double diameter = std::sqrt(squared_distance(low, high));
-  const double largest =
-      std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
-  if (area / diameter > 0x1p-49 * largest) return;
-  throw InputError(pslg.source,
-                   "all " + std::to_string(pslg.points.size()) +
-                       " points lie on one line up to rounding: no area to mesh",
-                   "give at least three points that span an area");
 }
 
 void note(TriangulationReport& report, std::size_t count, const std::string& what) {
@@ -103,36 +112,20 @@ void note(TriangulationReport& report, std::size_t count, const std::string& wha
 
 }  // namespace
 
-Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& options) {
+Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& /*options*/) {
   check_ids_and_range(pslg);
+  check_count(pslg);
   TriangulationReport report;
-  Mesh hull;
-  hull.set_source(pslg.source, pslg.base);
-  const std::vector<VertexId> vertex_of = add_vertices(hull, pslg, report);
-  if (!triangulate_vertices(hull)) {
-    throw InputError(pslg.source,
-                     hull.vertex_count() < 3
-                         ? "has " + std::to_string(hull.vertex_count()) +
-                               " distinct points: fewer than 3 non-collinear points"
-                         : "all " + std::to_string(hull.vertex_count()) + " points are collinear",
-                     "give at least three points that span an area");
-  }
-  check_width(hull, pslg);
-  set_entities(hull, pslg, vertex_of);
-  add_segments(hull, pslg, vertex_of, report);
-  insert_segments(hull, pslg, options.crossings, report);
-  const auto regions = find_regions(hull, pslg, report);
-  Mesh mesh = extract_regions(hull, regions, report);
-
-  report.vertex_of_point.resize(pslg.points.size());
-  std::vector<std::optional<VertexId>> kept(pslg.points.size());
-  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
-    const VertexOrigin origin = mesh.origin_of(VertexId(v));
-    if (origin.index < kept.size()) kept[origin.index] = VertexId(v);
-  }
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    report.vertex_of_point[i] = kept[hull.origin_of(vertex_of[i]).index];
-  }
+  RawTriangulation raw;
+  const std::vector<VertexId> vertex_of = add_vertices(raw, pslg, report);
+  triangulate(raw, pslg);
+  check_width(raw, pslg);
+  raw.find_leaving();
+  note_zero_length(pslg, vertex_of, report);
+  SegmentPieces pieces = insert_segments(raw, pslg, vertex_of, report);
+  Regions regions = find_regions(raw, pslg, pieces, report);
+  Mesh mesh = mesh_of_regions(std::move(raw), std::move(regions), pslg, std::move(pieces),
+                              vertex_of, report);
   note(report, report.points_outside, "points lie outside the domain and are not in the mesh");
   note(report, report.segments_outside, "segments lie partly or wholly outside the domain");
   note(report, report.crossings_split, "vertices added where segments cross");

@@ -48,7 +48,7 @@ struct Triangulation {
 /// \return  a mesh with M1 to M6, and what was tidied up
 /// \throw   InputError  P1 or P2 broken; crossing segments (refuse); fewer than three points that
 ///          are not collinear; a hole that reaches the outside; surfaces that overlap or whose
-///          boundary is not closed. RefusedError on more than 1.4e9 triangles.
+///          boundary is not closed. RefusedError on more than 1.07e9 triangles.
 /// Cost     O(n log n) expected for points and segments of a few edges each.
 /// Source   docs/algorithms/constrained_delaunay.md [sloan1993]
 Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& options = {});

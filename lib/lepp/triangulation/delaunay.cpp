@@ -1,118 +1,159 @@
 #include "lepp/triangulation/delaunay.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "lepp/geometry/predicates.hpp"
-#include "lepp/triangulation/flip.hpp"
 
 namespace lepp {
 
 namespace {
 
-// Mesh::leaving of a hull vertex is the hull edge that leaves it counter-clockwise; `before` holds
-// the hull vertex in front of it.
-class Sweep {
+using Code = RawTriangulation::Code;
+
+constexpr unsigned last_round = 10;
+
+// The round a point is inserted in, counted from the last: one in eight waits for no other round
+// but the one before it.
+unsigned round_of(std::uint64_t vertex) {
+  vertex = (vertex + 0x9E3779B97F4A7C15U) * 0xBF58476D1CE4E5B9U;
+  vertex = (vertex ^ vertex >> 29) * 0x94D049BB133111EBU;
+  unsigned round = 0;
+  for (vertex >>= 32; round < last_round && (vertex & 7) == 0; vertex >>= 3) ++round;
+  return round;
+}
+
+class Inserter {
  public:
-  explicit Sweep(Mesh& mesh) : mesh_(mesh), before_(mesh.vertex_count()) {
-    order_.resize(mesh.vertex_count());
-    std::iota(order_.begin(), order_.end(), 0U);
-    const auto points = mesh.points();
-    std::ranges::sort(order_, {}, [&](std::uint32_t v) { return points[v]; });
+  explicit Inserter(RawTriangulation& raw) : raw_(raw) {}
+
+  // One triangle (a, b, c) and the three ghosts around it.
+  //
+  //             c              ghost across edge i of the triangle is triangle 1 + i; ghosts meet
+  //        2  /   \  1         along the edges to infinity
+  //          a --- b
+  //             3
+  void start(VertexId a, VertexId b, VertexId c) {
+    if (orient2d(raw_.point(a), raw_.point(b), raw_.point(c)) < 0) std::swap(b, c);
+    const std::array<VertexId, 3> v{a, b, c};
+    raw_.set_corners(0, a, b, c);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      raw_.set_corners(1 + i, v[previous_corner(i)], v[next_corner(i)], RawTriangulation::ghost);
+      raw_.link(RawTriangulation::code(0, i), RawTriangulation::code(1 + i, 2));
+      raw_.link(RawTriangulation::code(1 + i, 0), RawTriangulation::code(1 + previous_corner(i), 1));
+    }
+    used_ = 4;
   }
 
-  bool run() {
-    const std::size_t apex = first_off_the_line();
-    if (apex == order_.size()) return false;
-    start_fan(apex);
-    for (std::size_t i = apex + 1; i < order_.size(); ++i) add(vertex(i));
-    return true;
+  void insert(VertexId v) {
+    const Point p = raw_.point(v);
+    open(triangle_at(p));
+    // The edges of the hole come up counter-clockwise; each becomes the base of a new triangle.
+    Code first = 0, before = 0;  // the sides of new triangles that meet at p, still to be linked
+    bool started = false;
+    while (!pending_.empty()) {  // triangles of the hole + 2 = new triangles + pending edges
+      const Code outside = pending_.back();
+      pending_.pop_back();
+      const std::uint32_t t = RawTriangulation::triangle_of(outside);
+      if (is_in_conflict(raw_.triangles[t].vertices, p)) {
+        pending_.push_back(raw_.twin(RawTriangulation::previous(outside)));
+        pending_.push_back(raw_.twin(RawTriangulation::next(outside)));
+        free_.push_back(t);
+        continue;
+      }
+      const Sides sides = close(outside, v);
+      if (started) raw_.link(before, sides.from_p);
+      else first = sides.from_p;
+      started = true;
+      before = sides.to_p;
+    }
+    raw_.link(before, first);
+    last_ = RawTriangulation::triangle_of(first);
   }
 
  private:
-  VertexId vertex(std::size_t i) const { return VertexId(order_[i]); }
-  int side(VertexId a, VertexId b, VertexId c) const {
-    return orient2d(mesh_.point(a), mesh_.point(b), mesh_.point(c));
-  }
+  // The edges p -> a and b -> p of a new triangle (p, a, b), as p's neighbours will link to them.
+  struct Sides {
+    Code from_p, to_p;
+  };
 
-  std::size_t first_off_the_line() const {
-    std::size_t i = 2;
-    while (i < order_.size() && side(vertex(0), vertex(1), vertex(i)) == 0) ++i;
-    return std::min(i, order_.size());
-  }
-
-  // Vertices 0 .. apex-1 lie on a line in order; join them all to `apex`.
-  void start_fan(std::size_t apex) {
-    const VertexId p = vertex(apex);
-    const bool left = side(vertex(0), vertex(1), p) > 0;
-    std::optional<TriangleId> previous;
-    for (std::size_t i = 0; i + 1 < apex; ++i) {
-      const VertexId a = vertex(i), b = vertex(i + 1);
-      const TriangleId t = left ? mesh_.add_triangle(p, a, b, SurfaceId(0U))
-                                : mesh_.add_triangle(p, b, a, SurfaceId(0U));
-      mesh_.unlink({t, 0});
-      if (!previous) {
-        mesh_.unlink({t, left ? 2U : 1U});
-      } else {  // the edge between p and a: opposite b here, opposite the vertex before a there
-        mesh_.link({t, left ? 2U : 1U}, {*previous, left ? 1U : 2U});
-        suspects_.push_back({t, left ? 2U : 1U});
-      }
-      previous = t;
+  // Walks from the last insertion towards p. Ends: no cycle is possible in a Delaunay
+  // triangulation. A ghost that is reached has p strictly beyond its hull edge.
+  std::uint32_t triangle_at(Point p) const {
+    std::uint32_t t = last_;
+    if (raw_.is_ghost(t)) t = RawTriangulation::triangle_of(raw_.twin(RawTriangulation::code(t, 2)));
+    std::uint32_t entered = 3;
+    while (true) {
+      const auto& v = raw_.triangles[t].vertices;
+      const Point a = raw_.point(v[0]), b = raw_.point(v[1]), c = raw_.point(v[2]);
+      std::uint32_t leave = 3;
+      if (entered != 0 && orient2d(b, c, p) < 0) leave = 0;
+      else if (entered != 1 && orient2d(c, a, p) < 0) leave = 1;
+      else if (entered != 2 && orient2d(a, b, p) < 0) leave = 2;
+      if (leave == 3) return t;
+      const Code across = raw_.twin(RawTriangulation::code(t, leave));
+      t = RawTriangulation::triangle_of(across);
+      if (raw_.is_ghost(t)) return t;
+      entered = RawTriangulation::edge_of(across);
     }
-    mesh_.unlink({*previous, left ? 1U : 2U});
-    for (std::size_t i = 0; i <= apex; ++i) before_[next(vertex(i)).index()] = vertex(i);
-    restore_delaunay(mesh_, suspects_);
-    last_ = p;
   }
 
-  VertexId next(VertexId hull_vertex) const {
-    return mesh_.destination(mesh_.leaving(hull_vertex));
-  }
-  VertexId before(VertexId hull_vertex) const { return before_[hull_vertex.index()]; }
-  bool sees(VertexId p, VertexId hull_vertex) const {
-    return side(hull_vertex, next(hull_vertex), p) < 0;
+  bool is_in_conflict(const std::array<VertexId, 3>& v, Point p) const {
+    const Point a = raw_.point(v[0]), b = raw_.point(v[1]);
+    if (v[2] != RawTriangulation::ghost) return incircle(a, b, raw_.point(v[2]), p) > 0;
+    const int side = orient2d(a, b, p);
+    return side > 0 || (side == 0 && dot_sign(a, p, b) < 0);
   }
 
-  // p is lexicographically beyond all vertices so far, so it sees a hull edge at the one added
-  // last; the edges it sees form a chain around that vertex, from `from` to `to`:
-  //
-  //      from <---- p          each hull edge a -> b of the chain becomes the base of a new
-  //       a  b     /           triangle (p, b, a)
-  //         ..  to
-  void add(VertexId p) {
-    VertexId from = last_;
-    while (sees(p, before(from))) from = before(from);
-    VertexId a = from;
-    std::optional<TriangleId> previous;
-    std::optional<HalfEdge> from_p;
-    while (sees(p, a)) {
-      const HalfEdge hull = mesh_.leaving(a);
-      const VertexId b = mesh_.destination(hull);
-      const TriangleId t = mesh_.add_triangle(p, b, a, SurfaceId(0U));
-      mesh_.link({t, 0}, hull);
-      suspects_.push_back({t, 0});
-      if (previous) mesh_.link({t, 1}, {*previous, 2});
-      else from_p = HalfEdge{t, 1};
-      previous = t;
-      a = b;
+  void open(std::uint32_t t) {
+    free_.push_back(t);
+    for (std::uint32_t i = 3; i-- > 0;) {
+      pending_.push_back(raw_.twin(RawTriangulation::code(t, i)));
     }
-    mesh_.unlink(*from_p);
-    mesh_.unlink({*previous, 2});
-    before_[p.index()] = from;
-    before_[a.index()] = p;
-    last_ = p;
-    restore_delaunay(mesh_, suspects_);
   }
 
-  Mesh& mesh_;
-  std::vector<std::uint32_t> order_;
-  std::vector<VertexId> before_;
-  std::vector<HalfEdge> suspects_;
-  VertexId last_;
+  Sides close(Code outside, VertexId p) {
+    const VertexId a = raw_.destination(outside), b = raw_.origin(outside);
+    std::uint32_t t = used_;
+    if (free_.empty()) {
+      ++used_;
+    } else {
+      t = free_.back();
+      free_.pop_back();
+    }
+    // Corner 0 is p, a or b: whichever makes a ghost, if there is one, corner 2.
+    const std::uint32_t at_p = b == RawTriangulation::ghost ? 0 : a == RawTriangulation::ghost ? 1 : 2;
+    if (at_p == 0) raw_.set_corners(t, p, a, b);
+    else if (at_p == 1) raw_.set_corners(t, b, p, a);
+    else raw_.set_corners(t, a, b, p);
+    const Code base = RawTriangulation::code(t, at_p);
+    raw_.link(base, outside);
+    return {RawTriangulation::previous(base), RawTriangulation::next(base)};
+  }
+
+  RawTriangulation& raw_;
+  std::uint32_t used_ = 0;           // triangles so far
+  std::uint32_t last_ = 0;           // one that the last insertion made
+  std::vector<Code> pending_;        // edges seen from outside the hole, still to be looked at
+  std::vector<std::uint32_t> free_;  // triangles of the hole that are not in use again yet
 };
 
 }  // namespace
 
-bool triangulate_vertices(Mesh& mesh) { return Sweep(mesh).run(); }
+bool triangulate_points(RawTriangulation& raw) {
+  const auto count = static_cast<std::uint32_t>(raw.points.size());
+  std::uint32_t apex = 2;
+  while (apex < count && orient2d(raw.points[0], raw.points[1], raw.points[apex]) == 0) ++apex;
+  if (apex >= count) return false;
+  raw.triangles.resize(2 * (std::size_t{count} - 1));
+  Inserter inserter(raw);
+  inserter.start(VertexId(0U), VertexId(1U), VertexId(apex));
+  for (unsigned round = last_round + 1; round-- > 0;) {
+    for (std::uint32_t v = 2; v < count; ++v) {
+      if (v != apex && round_of(v) == round) inserter.insert(VertexId(v));
+    }
+  }
+  return true;
+}
 
 }  // namespace lepp

@@ -6,32 +6,9 @@
 
 namespace lepp {
 
-namespace {
-
-// 3 * triangle + edge and "nothing" share 32 bits.
-constexpr std::size_t max_triangles = 0xFFFFFFFFU / 3 - 1;
-
-}  // namespace
-
-std::array<Point, 3> Mesh::corners(TriangleId t) const {
-  const auto& v = vertices(t);
-  return {point(v[0]), point(v[1]), point(v[2])};
-}
-
-std::optional<HalfEdge> Mesh::twin(HalfEdge e) const {
-  const std::uint32_t across = triangles_[e.triangle.index()].across_[e.edge];
-  if (across == nothing) return std::nullopt;
-  return HalfEdge{TriangleId(across / 3), across % 3};
-}
-
-bool Mesh::separates_regions(HalfEdge e) const {
-  const auto across = twin(e);
-  return !across || region(across->triangle) != region(e.triangle);
-}
-
-const ConstrainedEdge& Mesh::constrained_edge(HalfEdge e) const {
-  const ConstrainedEdge* record = find_record(origin(e), destination(e));
-  assert(record != nullptr);
+ConstrainedEdge Mesh::constrained_edge(HalfEdge e) const {
+  const auto record = find_record(origin(e), destination(e));
+  assert(record);
   return *record;
 }
 
@@ -49,11 +26,6 @@ std::optional<CurveId> Mesh::curve_of(HalfEdge e) const {
   const auto owners = segments_of(e);
   if (owners.size() != 1) return std::nullopt;
   return segments_[owners[0].index()].curve;
-}
-
-HalfEdge Mesh::leaving(VertexId v) const {
-  const std::uint32_t e = leaving_[v.index()];
-  return {TriangleId(e / 3), e % 3};
 }
 
 std::optional<HalfEdge> Mesh::find_edge(VertexId a, VertexId b) const {
@@ -88,6 +60,37 @@ void Mesh::reserve(std::size_t vertices, std::size_t triangles) {
   triangles_.reserve(triangles);
 }
 
+void Mesh::adopt(std::vector<Point> points, std::vector<VertexOrigin> origins,
+                 std::vector<Triangle> triangles) {
+  points_ = std::move(points);
+  origins_ = std::move(origins);
+  triangles_ = std::move(triangles);
+  leaving_.assign(points_.size(), nothing);
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge e{TriangleId(t), i};
+      std::uint32_t& leaving = leaving_[origin(e).index()];
+      if (leaving == nothing || is_boundary(e)) leaving = code(e);
+    }
+  }
+}
+
+void Mesh::own_edges(std::span<const SegmentId> again) {
+  constrained_edges_.reserve(segments_.size() - again.size());
+  auto next_again = again.begin();
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    if (next_again != again.end() && next_again->index() == s) {
+      ++next_again;
+      continue;
+    }
+    constrained_edges_.set(segments_[s].a, segments_[s].b, {SegmentSetId(s), {}});
+  }
+  for (const SegmentId s : again) {
+    const Segment& segment = segments_[s.index()];
+    share_record(*find_record(segment.a, segment.b), segment.a, segment.b, s);
+  }
+}
+
 VertexId Mesh::add_vertex(Point p, VertexOrigin origin) {
   const VertexId v(points_.size());
   points_.push_back(p);
@@ -98,7 +101,7 @@ VertexId Mesh::add_vertex(Point p, VertexOrigin origin) {
 
 TriangleId Mesh::add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId region) {
   if (triangles_.size() >= max_triangles) {
-    throw RefusedError(source_, "more than 1.4e9 triangles", "split the domain or ask for less");
+    throw RefusedError(source_, "more than 1.07e9 triangles", "split the domain or ask for less");
   }
   const TriangleId t(triangles_.size());
   Triangle triangle;
@@ -118,7 +121,7 @@ void Mesh::refresh_leaving(TriangleId t) {
   for (std::uint32_t corner = 0; corner < 3; ++corner) {
     const VertexId v = vertex(t, corner);
     const std::uint32_t e = leaving_[v.index()];
-    if (e == nothing || origin({TriangleId(e / 3), e % 3}) != v) {
+    if (e == nothing || origin(half_edge(e)) != v) {
       leaving_[v.index()] = code({t, previous_corner(corner)});
     }
   }
@@ -141,7 +144,7 @@ void Mesh::take_place_of(HalfEdge e, HalfEdge old) {
   if (across == nothing) {
     unlink(e);
   } else {
-    link(e, {TriangleId(across / 3), across % 3});
+    link(e, half_edge(across));
   }
   set_constrained_flag(e, constrained);
 }
@@ -160,14 +163,18 @@ void Mesh::constrain(HalfEdge e, const ConstrainedEdge& record) {
 
 void Mesh::add_owner(HalfEdge e, SegmentId s, double t_origin, double t_destination) {
   const VertexId a = origin(e), b = destination(e);
-  const ConstrainedEdge* old = find_record(a, b);
-  if (old == nullptr) {
+  const auto old = find_record(a, b);
+  if (!old) {
     const bool in_order = a < b;
     constrain(e, {SegmentSetId(s.value), in_order ? t_origin : t_destination,
                   in_order ? t_destination : t_origin});
     return;
   }
-  const auto owners = segments_of(old->segments);
+  share_record(*old, a, b, s);
+}
+
+void Mesh::share_record(const ConstrainedEdge& old, VertexId a, VertexId b, SegmentId s) {
+  const auto owners = segments_of(old.segments);
   if (std::ranges::find(owners, s) != owners.end()) return;
   std::vector<SegmentId> shared(owners.begin(), owners.end());
   shared.push_back(s);
@@ -178,20 +185,36 @@ void Mesh::add_owner(HalfEdge e, SegmentId s, double t_origin, double t_destinat
   set_record(a, b, {known->second, 0, 1});
 }
 
-std::uint64_t Mesh::key(VertexId a, VertexId b) {
-  const auto [low, high] = std::minmax(a.value, b.value);
-  return std::uint64_t{low} << 32 | high;
+namespace {
+
+// What an edge between the very ends of segment `s` inherits.
+ConstrainedEdge whole(SegmentSetId set, const Segment& s) {
+  return s.a < s.b ? ConstrainedEdge{set, s.t_a, s.t_b} : ConstrainedEdge{set, s.t_b, s.t_a};
 }
 
-const ConstrainedEdge* Mesh::find_record(VertexId a, VertexId b) const {
-  const auto found = constrained_edges_.find(key(a, b));
-  return found == constrained_edges_.end() ? nullptr : &found->second;
+}  // namespace
+
+std::optional<ConstrainedEdge> Mesh::find_record(VertexId a, VertexId b) const {
+  const auto found = constrained_edges_.find(a, b);
+  if (!found) return std::nullopt;
+  const std::size_t s = found->segments.index();
+  if (!found->parameters && s < segments_.size()) return whole(found->segments, segments_[s]);
+  const auto [low, high] = found->parameters.value_or(EdgeRecords::Parameters{0, 1});
+  return ConstrainedEdge{found->segments, low, high};
 }
 
 void Mesh::set_record(VertexId a, VertexId b, const ConstrainedEdge& record) {
-  constrained_edges_[key(a, b)] = record;
+  EdgeRecords::Record stored{record.segments, {{record.t_low, record.t_high}}};
+  const std::size_t s = record.segments.index();
+  if (s < segments_.size()) {
+    const ConstrainedEdge inherited = whole(record.segments, segments_[s]);
+    if (inherited.t_low == record.t_low && inherited.t_high == record.t_high) {
+      stored.parameters.reset();
+    }
+  }
+  constrained_edges_.set(a, b, stored);
 }
 
-void Mesh::erase_record(VertexId a, VertexId b) { constrained_edges_.erase(key(a, b)); }
+void Mesh::erase_record(VertexId a, VertexId b) { constrained_edges_.erase(a, b); }
 
 }  // namespace lepp

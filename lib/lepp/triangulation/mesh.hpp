@@ -5,13 +5,13 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "lepp/geometry/entities.hpp"
 #include "lepp/geometry/ids.hpp"
 #include "lepp/geometry/point.hpp"
 #include "lepp/geometry/pslg.hpp"
+#include "lepp/triangulation/edge_records.hpp"
 
 namespace lepp {
 
@@ -29,7 +29,7 @@ constexpr HalfEdge next_edge(HalfEdge e) { return {e.triangle, next_corner(e.edg
 constexpr HalfEdge previous_edge(HalfEdge e) { return {e.triangle, previous_corner(e.edge)}; }
 
 /// 32 bytes: three corners counter-clockwise, what lies across each edge, the region, and a flag
-/// per edge. Only Mesh writes it.
+/// per edge. Only Mesh, and the kernel that builds one, write it.
 class Triangle {
  public:
   std::array<VertexId, 3> vertices;
@@ -38,11 +38,16 @@ class Triangle {
 
  private:
   friend class Mesh;
-  std::array<std::uint32_t, 3> across_;  // 3 * triangle + edge of the other side, or nothing
+  friend class RawTriangulation;  // raw_triangulation.hpp
+  static constexpr std::uint32_t nothing = 0xFFFFFFFFU;
+  std::array<std::uint32_t, 3> across_;  // 4 * triangle + edge of the other side, or nothing
   SurfaceId region_;
   std::uint32_t constrained_ = 0;  // bit i: edge i is constrained
 };
 static_assert(sizeof(Triangle) == 32);
+
+/// 4 * triangle + edge and "nothing" share 32 bits.
+inline constexpr std::size_t max_triangles = (std::size_t{1} << 30) - 1;
 
 /// Where a vertex comes from.
 struct VertexOrigin {
@@ -54,10 +59,6 @@ struct VertexOrigin {
   Kind kind = Kind::interior;
   std::uint32_t index = 0;
 };
-
-/// The input segments that share a constrained edge: almost always one, more where collinear
-/// input segments overlap.
-using SegmentSetId = Id<struct SegmentSetOfMesh>;
 
 /// What the side table keeps about a constrained edge.
 struct ConstrainedEdge {
@@ -94,7 +95,10 @@ class Mesh {
     return triangles_[t.index()].vertices;
   }
   VertexId vertex(TriangleId t, std::uint32_t corner) const { return vertices(t)[corner]; }
-  std::array<Point, 3> corners(TriangleId t) const;
+  std::array<Point, 3> corners(TriangleId t) const {
+    const auto& [a, b, c] = vertices(t);
+    return {point(a), point(b), point(c)};
+  }
   SurfaceId region(TriangleId t) const { return triangles_[t.index()].region_; }
   const VertexOrigin& origin_of(VertexId v) const { return origins_[v.index()]; }
   bool is_input(VertexId v) const { return origin_of(v).kind == VertexOrigin::Kind::input; }
@@ -104,7 +108,11 @@ class Mesh {
   VertexId apex(HalfEdge e) const { return vertex(e.triangle, e.edge); }
 
   /// The same edge seen from the other side; nothing across the boundary of the mesh.
-  std::optional<HalfEdge> twin(HalfEdge e) const;
+  std::optional<HalfEdge> twin(HalfEdge e) const {
+    const std::uint32_t across = triangles_[e.triangle.index()].across_[e.edge];
+    if (across == nothing) return std::nullopt;
+    return half_edge(across);
+  }
   bool is_boundary(HalfEdge e) const {
     return triangles_[e.triangle.index()].across_[e.edge] == nothing;
   }
@@ -112,9 +120,12 @@ class Mesh {
     return (triangles_[e.triangle.index()].constrained_ >> e.edge & 1U) != 0;
   }
   /// An edge with another region, or no mesh, on its other side.
-  bool separates_regions(HalfEdge e) const;
+  bool separates_regions(HalfEdge e) const {
+    const auto across = twin(e);
+    return !across || region(across->triangle) != region(e.triangle);
+  }
   /// The record of a constrained edge. \pre is_constrained(e)
-  const ConstrainedEdge& constrained_edge(HalfEdge e) const;
+  ConstrainedEdge constrained_edge(HalfEdge e) const;
   /// The input segments that own a constrained edge, at least one.
   std::span<const SegmentId> segments_of(HalfEdge e) const;
   std::span<const SegmentId> segments_of(SegmentSetId set) const;
@@ -122,7 +133,7 @@ class Mesh {
   std::optional<CurveId> curve_of(HalfEdge e) const;
   /// A half-edge that leaves `v`: one fan of `v` is reached by turning around it. If that fan is
   /// open, the half-edge is its boundary edge, from where turning counter-clockwise sees it all.
-  HalfEdge leaving(VertexId v) const;
+  HalfEdge leaving(VertexId v) const { return half_edge(leaving_[v.index()]); }
   /// The half-edge from a to b, if triangles of the fan of leaving(a) have it. O(degree).
   std::optional<HalfEdge> find_edge(VertexId a, VertexId b) const;
 
@@ -133,6 +144,12 @@ class Mesh {
   Entities& mutable_entities() { return entities_; }
   void set_segments(std::vector<Segment> segments);
   void reserve(std::size_t vertices, std::size_t triangles);
+  /// Takes over whole arrays; the triangles are linked and flagged already.
+  void adopt(std::vector<Point> points, std::vector<VertexOrigin> origins,
+             std::vector<Triangle> triangles);
+  /// Gives the edge between the ends of each segment to that segment. The flags are set already.
+  /// \param again  ascending: segments whose edge has another owner, too
+  void own_edges(std::span<const SegmentId> again);
   VertexId add_vertex(Point p, VertexOrigin origin);
   void move_vertex(VertexId v, Point p) { points_[v.index()] = p; }
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId region);
@@ -154,20 +171,23 @@ class Mesh {
   /// Adds a segment to the owners of an edge, which becomes constrained if it was not.
   void add_owner(HalfEdge e, SegmentId s, double t_origin, double t_destination);
   /// The record of edge (a, b), whether or not a triangle has that edge now.
-  const ConstrainedEdge* find_record(VertexId a, VertexId b) const;
+  std::optional<ConstrainedEdge> find_record(VertexId a, VertexId b) const;
   void set_record(VertexId a, VertexId b, const ConstrainedEdge& record);
   void erase_record(VertexId a, VertexId b);
 
  private:
-  static constexpr std::uint32_t nothing = 0xFFFFFFFFU;
-  static std::uint64_t key(VertexId a, VertexId b);
-  static std::uint32_t code(HalfEdge e) { return 3 * e.triangle.value + e.edge; }
+  friend class RawTriangulation;
+  static constexpr std::uint32_t nothing = Triangle::nothing;
+  static std::uint32_t code(HalfEdge e) { return 4 * e.triangle.value + e.edge; }
+  static HalfEdge half_edge(std::uint32_t code) { return {TriangleId(code / 4), code % 4}; }
+
+  void share_record(const ConstrainedEdge& old, VertexId a, VertexId b, SegmentId s);
 
   std::vector<Point> points_;
   std::vector<VertexOrigin> origins_;
   std::vector<std::uint32_t> leaving_;  // code of a half-edge that starts at the vertex
   std::vector<Triangle> triangles_;
-  std::unordered_map<std::uint64_t, ConstrainedEdge> constrained_edges_;
+  EdgeRecords constrained_edges_;
   std::vector<Segment> segments_;
   std::vector<std::vector<SegmentId>> shared_sets_;  // sets of two and more segments
   std::map<std::vector<SegmentId>, SegmentSetId> shared_set_index_;

@@ -1,221 +1,124 @@
 #include "lepp/triangulation/regions.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "lepp/geometry/text.hpp"
-#include "lepp/triangulation/dual_graph.hpp"
-#include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/components.hpp"
+#include "lepp/triangulation/regions_by_bounds.hpp"
+#include "lepp/triangulation/spatial_order.hpp"
 
 namespace lepp {
 
 namespace {
 
-using SurfaceSet = std::vector<SurfaceId>;  // ascending
+constexpr std::uint32_t nowhere = 0;  // the label of ghosts
 
-// a and b differ in exactly these.
-SurfaceSet toggle(const SurfaceSet& a, const SurfaceSet& b) {
-  SurfaceSet result;
-  std::ranges::set_symmetric_difference(a, b, std::back_inserter(result));
-  return result;
-}
-
-class RegionFinder {
+class SeedRegions {
  public:
-  RegionFinder(Mesh& mesh, const Pslg& pslg, TriangulationReport& report)
-      : mesh_(mesh),
-        pslg_(pslg),
-        report_(report),
-        components_(dual_components(mesh)),
-        outside_(components_.count, false),
-        surface_(components_.count) {
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const HalfEdge e{TriangleId(t), i};
-        if (mesh_.is_boundary(e) && !mesh_.is_constrained(e)) outside_[component(e)] = true;
-      }
-    }
+  SeedRegions(const RawTriangulation& raw, const Pslg& pslg, TriangulationReport& report,
+              const Components& components)
+      : raw_(raw), pslg_(pslg), report_(report), outside_(components.is_open) {
+    regions_.entities = pslg.entities;
+    regions_.of_label.resize(components.count + 1);
   }
 
-  void find_by_bounds() {
-    std::vector<std::optional<SurfaceSet>> sets(components_.count);
-    start_from_outside(sets);
-    spread(sets);
-    for (std::uint32_t c = 0; c < components_.count; ++c) {
-      if (!sets[c] || sets[c]->empty()) continue;
-      if (sets[c]->size() > 1) throw overlap_error(c, *sets[c]);
-      surface_[c] = sets[c]->front();
-    }
-    check_every_surface_has_area();
-  }
-
-  void find_by_seeds() {
+  Regions run() {
     report_.convex_hull = std::ranges::find(outside_, false) == outside_.end();
     if (report_.convex_hull) outside_.assign(outside_.size(), false);
     carve_holes();
     place_seeds();
     std::optional<SurfaceId> rest;
-    for (std::uint32_t c = 0; c < components_.count; ++c) {
-      if (outside_[c]) surface_[c].reset();
-      else if (!surface_[c]) surface_[c] = rest ? rest : rest = add_default_surface();
+    for (std::size_t c = 0; c < outside_.size(); ++c) {
+      auto& surface = regions_.of_label[c + 1];
+      if (outside_[c]) surface.reset();
+      else if (!surface) surface = rest ? rest : rest = add_default_surface();
     }
-  }
-
-  std::vector<std::optional<SurfaceId>> of_triangles() const {
-    std::vector<std::optional<SurfaceId>> regions;
-    regions.reserve(mesh_.triangle_count());
-    for (const std::uint32_t c : components_.of_triangle) regions.push_back(surface_[c]);
-    return regions;
+    return std::move(regions_);
   }
 
  private:
-  std::uint32_t component(HalfEdge e) const { return components_.of_triangle[e.triangle.index()]; }
-
-  // The surfaces that are entered or left where edge e is crossed.
-  SurfaceSet toggled_by(HalfEdge e) const {
-    SurfaceSet set;
-    if (!mesh_.is_constrained(e)) return set;
-    for (const SegmentId s : mesh_.segments_of(e)) {
-      const auto& curve = mesh_.segments()[s.index()].curve;
-      if (!curve) continue;
-      for (const SurfaceId surface : mesh_.entities()[*curve].bounds) set = toggle(set, {surface});
+  // The label around each point; each walk starts where the one before it ended, nearby.
+  std::vector<RawTriangulation::Place> locate_all(const std::vector<Point>& points) const {
+    std::vector<RawTriangulation::Place> places(points.size());
+    std::uint32_t at = 0;
+    for (const std::uint32_t i : spatial_order(points)) {
+      places[i] = raw_.locate(points[i], at);
+      at = places[i].triangle;
     }
-    return set;
+    return places;
   }
 
-  void start_from_outside(std::vector<std::optional<SurfaceSet>>& sets) {
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const HalfEdge e{TriangleId(t), i};
-        if (mesh_.is_boundary(e)) enter(e, toggled_by(e), sets);
-      }
-    }
-  }
-
-  void spread(std::vector<std::optional<SurfaceSet>>& sets) {
-    // Constrained edges by the component they are seen from, so that each is crossed once.
-    std::vector<std::vector<HalfEdge>> walls(components_.count);
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const HalfEdge e{TriangleId(t), i};
-        if (mesh_.is_constrained(e) && !mesh_.is_boundary(e)) walls[component(e)].push_back(e);
-      }
-    }
-    while (!entered_.empty()) {
-      const std::uint32_t c = entered_.back();
-      entered_.pop_back();
-      for (const HalfEdge e : walls[c]) {
-        enter(*mesh_.twin(e), toggle(*sets[c], toggled_by(e)), sets);
-      }
-    }
-  }
-
-  void enter(HalfEdge e, const SurfaceSet& set, std::vector<std::optional<SurfaceSet>>& sets) {
-    auto& known = sets[component(e)];
-    if (!known) {
-      known = set;
-      entered_.push_back(component(e));
-    } else if (*known != set) {
-      const SurfaceId surface = toggle(*known, set).front();
-      throw InputError(pslg_.source + ", surface " + std::to_string(tag(surface)),
-                       "its boundary is not closed near " + to_text(mesh_.point(mesh_.origin(e))),
-                       "close the loop, or remove curves that occur twice");
-    }
-  }
-
-  int tag(SurfaceId s) const { return mesh_.entities()[s].tag; }
-
-  Point somewhere_in(std::uint32_t c) const {
-    const auto first = std::ranges::find(components_.of_triangle, c);
-    const auto [p, q, r] = mesh_.corners(
-        TriangleId(static_cast<std::size_t>(first - components_.of_triangle.begin())));
-    return {(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
-  }
-
-  InputError overlap_error(std::uint32_t c, const SurfaceSet& set) const {
-    return {pslg_.source + ", surfaces " + std::to_string(tag(set[0])) + " and " +
-                std::to_string(tag(set[1])),
-            "they overlap, for example at " + to_text(somewhere_in(c)),
-            "make the inner one a hole of the outer one, or cut them apart"};
-  }
-
-  void check_every_surface_has_area() const {
-    std::vector<bool> found(mesh_.entities().surfaces.size(), false);
-    for (const auto& surface : surface_) {
-      if (surface) found[surface->index()] = true;
-    }
-    const auto empty = std::ranges::find(found, false);
-    if (empty == found.end()) return;
-    const SurfaceId surface(static_cast<std::size_t>(empty - found.begin()));
-    throw InputError(pslg_.source + ", surface " + std::to_string(tag(surface)),
-                     "its boundary encloses no area",
-                     "correct the boundary, or remove the surface");
-  }
-
-  // The component around a hole or seed; nothing, with a warning, if it is outside.
-  std::optional<std::uint32_t> component_at(Point p, const std::string& what) {
-    const auto location = locate(mesh_, p);
-    if (!location || outside_[components_.of_triangle[location->triangle.index()]]) {
+  // The label of a hole or seed; nothing, with a warning, if it is outside.
+  std::optional<std::uint32_t> label_at(const RawTriangulation::Place& place, Point p,
+                                        const std::string& what) {
+    const std::uint32_t label = raw_.label(place.triangle);
+    if (label == nowhere || outside_[label - 1]) {
       report_.warnings.push_back(what + " at " + to_text(p) + " is outside the domain: ignored");
       return std::nullopt;
     }
-    if (location->on_edge && mesh_.is_constrained(*location->on_edge)) {
+    if (place.on_constrained) {
       throw InputError(pslg_.source + ", " + what, "lies on a segment at " + to_text(p),
                        "move it into the area it is meant for");
     }
-    return components_.of_triangle[location->triangle.index()];
+    return label;
+  }
+
+  std::string number(std::size_t i) const {
+    return std::to_string(pslg_.base + static_cast<std::int64_t>(i));
   }
 
   void carve_holes() {
+    const auto places = locate_all(pslg_.holes);
     std::vector<std::uint32_t> carved;
-    for (std::size_t i = 0; i < pslg_.holes.size(); ++i) {
-      const auto number = std::to_string(pslg_.base + static_cast<std::int64_t>(i));
-      const auto c = component_at(pslg_.holes[i], "hole " + number);
-      if (c) carved.push_back(*c);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto label = label_at(places[i], pslg_.holes[i], "hole " + number(i));
+      if (label) carved.push_back(*label);
     }
-    for (const std::uint32_t c : carved) outside_[c] = true;
+    for (const std::uint32_t label : carved) outside_[label - 1] = true;
     if (std::ranges::find(outside_, false) != outside_.end()) return;
-    throw InputError(pslg_.source + ", hole " + std::to_string(pslg_.base),
+    throw InputError(pslg_.source + ", hole " + number(0),
                      "is not enclosed: it removes the whole domain",
                      "close the ring of segments around the hole");
   }
 
   void place_seeds() {
-    for (std::size_t i = 0; i < pslg_.seeds.size(); ++i) {
-      const auto number = std::to_string(pslg_.base + static_cast<std::int64_t>(i));
-      const auto c = component_at(pslg_.seeds[i].at, "region " + number);
-      if (!c) continue;
-      if (surface_[*c] && *surface_[*c] != pslg_.seeds[i].surface) {
-        report_.warnings.push_back("region " + number +
+    std::vector<Point> points;
+    for (const RegionSeed& seed : pslg_.seeds) points.push_back(seed.at);
+    const auto places = locate_all(points);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto label = label_at(places[i], points[i], "region " + number(i));
+      if (!label) continue;
+      auto& surface = regions_.of_label[*label];
+      if (surface && *surface != pslg_.seeds[i].surface) {
+        report_.warnings.push_back("region " + number(i) +
                                    " lies in the same area as an earlier one: ignored");
         continue;
       }
-      surface_[*c] = pslg_.seeds[i].surface;
+      surface = pslg_.seeds[i].surface;
     }
   }
 
   SurfaceId add_default_surface() {
-    mesh_.mutable_entities().surfaces.emplace_back();
-    return SurfaceId(mesh_.entities().surfaces.size() - 1);
+    regions_.entities.surfaces.emplace_back();
+    return SurfaceId(regions_.entities.surfaces.size() - 1);
   }
 
-  Mesh& mesh_;
+  const RawTriangulation& raw_;
   const Pslg& pslg_;
   TriangulationReport& report_;
-  DualComponents components_;
-  std::vector<bool> outside_;
-  std::vector<std::optional<SurfaceId>> surface_;
-  std::vector<std::uint32_t> entered_;
+  std::vector<bool> outside_;  // by label - 1
+  Regions regions_;
 };
 
 }  // namespace
 
-std::vector<std::optional<SurfaceId>> find_regions(Mesh& mesh, const Pslg& pslg,
-                                                   TriangulationReport& report) {
-  RegionFinder finder(mesh, pslg, report);
-  if (pslg.has_bounded_surfaces()) finder.find_by_bounds();
-  else finder.find_by_seeds();
-  return finder.of_triangles();
+Regions find_regions(RawTriangulation& raw, const Pslg& pslg, const SegmentPieces& pieces,
+                     TriangulationReport& report) {
+  const Components components = label_components(raw);
+  if (pslg.has_bounded_surfaces()) {
+    return {regions_by_bounds(raw, pslg, pieces, components.count), pslg.entities};
+  }
+  return SeedRegions(raw, pslg, report, components).run();
 }
 
 }  // namespace lepp

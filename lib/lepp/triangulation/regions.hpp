@@ -4,21 +4,24 @@
 #include <vector>
 
 #include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/triangulation/raw_triangulation.hpp"
+#include "lepp/triangulation/segments.hpp"
 
 namespace lepp {
 
-/// For each triangle of the triangulated convex hull, the surface it belongs to, or nothing where
-/// there is no domain. May add a default surface to the mesh's entities, for areas without seed.
-/// The three ways to find the domain are those of Pslg.
-/// \pre    M1 to M3, every segment is a chain of constrained edges
-/// \throw  InputError: a surface boundary that is not closed, surfaces that overlap or are empty,
-///         a hole or seed on a segment, no domain left
-std::vector<std::optional<SurfaceId>> find_regions(Mesh& mesh, const Pslg& pslg,
-                                                   TriangulationReport& report);
+/// Which surface each part of the plane belongs to.
+struct Regions {
+  /// By label, from 1 on; nothing: no mesh there. Labels are on the triangles of `raw`.
+  std::vector<std::optional<SurfaceId>> of_label;
+  Entities entities;  ///< of the PSLG, with a default surface where one was needed
+};
 
-/// The part of `mesh` whose triangles have a region, with every boundary edge constrained.
-/// Vertices and segments keep their order; what lies outside is counted in `report`.
-Mesh extract_regions(const Mesh& mesh, const std::vector<std::optional<SurfaceId>>& regions,
+/// Labels the connected components of the triangles of `raw` across unconstrained edges, and finds
+/// the surface of each as Pslg says: by the boundaries of surfaces, or by holes and seeds.
+/// \throw  InputError  surfaces overlap or are not closed, a hole reaches the outside, a hole or
+///         seed lies on a segment
+/// Cost    O(triangles); seeds are found from each other along the spatial order.
+Regions find_regions(RawTriangulation& raw, const Pslg& pslg, const SegmentPieces& pieces,
                      TriangulationReport& report);
 
 }  // namespace lepp

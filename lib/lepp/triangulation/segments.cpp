@@ -1,288 +1,174 @@
 #include "lepp/triangulation/segments.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <deque>
-#include <limits>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/segment_intersection.hpp"
 #include "lepp/geometry/text.hpp"
-#include "lepp/triangulation/flip.hpp"
-#include "lepp/triangulation/split.hpp"
+#include "lepp/triangulation/hole.hpp"
 
 namespace lepp {
 
 namespace {
 
-using VertexPair = std::pair<VertexId, VertexId>;
-
-// A crossing is met one at a time; only rounding can pile them up.
-constexpr std::size_t max_detours = 64;
+using Code = RawTriangulation::Code;
 
 class SegmentInserter {
  public:
-  SegmentInserter(Mesh& mesh, const Pslg& pslg, Crossings crossings, TriangulationReport& report)
-      : mesh_(mesh), pslg_(pslg), crossings_(crossings), report_(report) {}
-
-  void insert(SegmentId id) {
-    segment_ = id;
-    const Segment& segment = mesh_.segments()[id.index()];
-    // Vertices the segment must pass, next one on top: its end, and crossings met on the way.
-    std::vector<VertexId> targets{segment.b};
-    VertexId at = segment.a;
-    while (!targets.empty()) {  // each turn moves `at` towards the top, or adds a crossing
-      const VertexId target = targets.back();
-      if (at == target) {
-        targets.pop_back();
-      } else if (const auto next = step(at, target, targets)) {
-        at = *next;
-      }
-    }
+  SegmentInserter(RawTriangulation& raw, const Pslg& pslg, TriangulationReport& report)
+      : raw_(raw), pslg_(pslg), report_(report), hole_(raw) {
+    pieces_.first.reserve(pslg.segments.size());
   }
 
- private:
-  int side(VertexId a, VertexId b, VertexId c) const {
-    return orient2d(mesh_.point(a), mesh_.point(b), mesh_.point(c));
-  }
-
-  // Constrains one edge from `at` towards `target` and returns its end; or finds a crossing, puts
-  // its vertex on `targets` and returns nothing.
-  std::optional<VertexId> step(VertexId at, VertexId target, std::vector<VertexId>& targets) {
-    const HalfEdge first = leaving_towards(at, target);
-    if (mesh_.origin(first) == at || mesh_.destination(first) == at) {
-      const VertexId end =
-          mesh_.origin(first) == at ? mesh_.destination(first) : mesh_.origin(first);
-      if (end != target) ++report_.points_on_segments;
-      constrain(first, at, end);
-      return end;
-    }
-    crossed_.clear();
-    HalfEdge e = first;  // an edge that the line at -> target crosses, seen from the side of `at`
-    VertexId end = target;
-    while (true) {
-      if (mesh_.is_constrained(e)) {
-        if (targets.size() > max_detours) throw too_close_error(e, mesh_.point(at));
-        targets.push_back(cross(e, at, target));
-        return std::nullopt;
-      }
-      crossed_.emplace_back(mesh_.origin(e), mesh_.destination(e));
-      const HalfEdge across = *mesh_.twin(e);
-      const VertexId apex = mesh_.apex(across);
-      const int apex_side = side(at, target, apex);
-      if (apex_side == 0) {
-        end = apex;
+  // From both ends inwards: `a` and `b` bound what is still missing.
+  void insert(SegmentId segment, VertexId a, VertexId b) {
+    segment_ = segment;
+    const std::size_t first = pieces_.first.size(), further = pieces_.further.size();
+    const bool ascending = raw_.point(a) < raw_.point(b);
+    while (a != b) {
+      const Search search = find_edge(a, b);
+      if (search.edge) {
+        add_piece(*search.edge, a, b);
         break;
       }
-      // Of the two other edges of that triangle, the one with an end on each side comes next.
-      const HalfEdge one = next_edge(across), other = previous_edge(across);
-      e = side(at, target, mesh_.origin(one)) * apex_side < 0 ? one : other;
+      // The vertex with the shorter fan is the one that has been searched in full.
+      if (search.from_b) b = advance(b, a, true);
+      else a = advance(a, b, false);
     }
-    if (end != target) ++report_.points_on_segments;
-    flip_away(at, end);
-    constrain(*mesh_.find_edge(at, end), at, end);
-    return end;
+    put_in_order(pieces_.first, first, ascending);
+    put_in_order(pieces_.further, further, ascending);
   }
 
-  // The edge at `at` that points exactly at `target`, or the edge opposite `at` that the line to
+  SegmentPieces take_pieces() { return std::move(pieces_); }
+
+ private:
+  struct Search {
+    std::optional<Code> edge;  // a -> b or b -> a
+    bool from_b = false;       // the fan that was seen from end to end is that of b
+  };
+
+  // Turns around a and b at the same time, so a vertex with many edges costs no more than the
+  // other one has.
+  Search find_edge(VertexId a, VertexId b) const {
+    const Code first_a = raw_.leaving[a.index()], first_b = raw_.leaving[b.index()];
+    Code at_a = first_a, at_b = first_b;
+    while (true) {
+      if (raw_.destination(at_a) == b) return {at_a, false};
+      at_a = raw_.turn(at_a);
+      if (at_a == first_a) return {std::nullopt, false};
+      if (raw_.destination(at_b) == a) return {at_b, true};
+      at_b = raw_.turn(at_b);
+      if (at_b == first_b) return {std::nullopt, true};
+    }
+  }
+
+  int side(VertexId a, VertexId b, VertexId c) const {
+    return orient2d(raw_.point(a), raw_.point(b), raw_.point(c));
+  }
+
+  // Constrains the edge from `at` to the first vertex on the way to `target`, and returns it.
+  VertexId advance(VertexId at, VertexId target, bool backwards) {
+    const Code first = towards(at, target);
+    if (raw_.origin(first) == at) {
+      const VertexId end = raw_.destination(first);
+      ++report_.points_on_segments;
+      add_piece(first, backwards ? end : at, backwards ? at : end);
+      return end;
+    }
+    hole_.start(at, first);
+    while (true) {
+      if (raw_.is_constrained(hole_.crossed())) throw crossing_error(hole_.crossed(), at, target);
+      const VertexId apex = hole_.apex_across();
+      const int turn = side(at, target, apex);
+      if (turn == 0) {
+        if (apex != target) ++report_.points_on_segments;
+        hole_.fill();
+        pieces_.first.push_back({segment_, backwards ? apex : at, backwards ? at : apex});
+        return apex;
+      }
+      hole_.pass(turn);
+    }
+  }
+
+  // The edge that leaves `at` exactly towards `target`, or the edge opposite `at` that the line to
   // `target` crosses.
-  HalfEdge leaving_towards(VertexId at, VertexId target) const {
-    std::optional<HalfEdge> found;
-    const Point p = mesh_.point(at), q = mesh_.point(target);
-    for_each_in_fan(mesh_, at, [&](TriangleId t, std::uint32_t corner) {
-      const HalfEdge opposite{t, corner};
-      const VertexId u = mesh_.origin(opposite), w = mesh_.destination(opposite);
-      const int from_u = side(at, u, target), from_w = side(at, target, w);
-      if (from_u == 0 && dot_sign(q, p, mesh_.point(u)) > 0) {
-        found = HalfEdge{t, previous_corner(corner)};
-      } else if (from_w == 0 && dot_sign(q, p, mesh_.point(w)) > 0) {
-        found = HalfEdge{t, next_corner(corner)};
-      } else if (from_u > 0 && from_w > 0) {
-        found = opposite;
-      }
-      return !found;
+  Code towards(VertexId at, VertexId target) const {
+    const Point p = raw_.point(at), q = raw_.point(target);
+    // The side of the target that a spoke at -> u lies on: -1 right of it, 1 left.
+    const auto turn = [&](VertexId u) {
+      return u == RawTriangulation::ghost ? 0 : orient2d(p, q, raw_.point(u));
+    };
+    Code e = raw_.leaving[at.index()];
+    VertexId u = raw_.destination(e);
+    int turn_u = turn(u);
+    while (true) {  // ends: the target lies in the hull, so in one of the triangles around `at`
+      if (turn_u == 0 && u != RawTriangulation::ghost && dot_sign(q, p, raw_.point(u)) > 0) return e;
+      const VertexId w = raw_.apex(e);
+      const int turn_w = turn(w);
+      if (turn_u < 0 && turn_w > 0) return RawTriangulation::next(e);
+      e = raw_.turn(e);
+      u = w;
+      turn_u = turn_w;
+    }
+  }
+
+  void add_piece(Code e, VertexId a, VertexId b) {
+    if (raw_.is_constrained(e)) {
+      ++report_.overlapping_edges;
+      pieces_.further.push_back({segment_, a, b});
+      return;
+    }
+    raw_.constrain(e);
+    pieces_.first.push_back({segment_, a, b});
+  }
+
+  // Along one segment, points stand in the lexicographic order or against it.
+  void put_in_order(std::vector<SegmentPiece>& pieces, std::size_t first, bool ascending) const {
+    if (pieces.size() < first + 2) return;
+    std::sort(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end(),
+              [&](const SegmentPiece& p, const SegmentPiece& q) {
+                return (raw_.point(p.a) < raw_.point(q.a)) == ascending && p.a != q.a;
+              });
+  }
+
+  // An edge has no owner of its own in the kernel: it is looked up, once, to complain.
+  SegmentId owner(VertexId u, VertexId w) const {
+    const auto found = std::ranges::find_if(pieces_.first, [&](const SegmentPiece& p) {
+      return std::minmax(p.a, p.b) == std::minmax(u, w);
     });
-    return *found;
+    return found->segment;
   }
 
-  void constrain(HalfEdge e, VertexId from, VertexId to) {
-    if (mesh_.is_constrained(e)) ++report_.overlapping_edges;
-    const double t_from = parameter(from), t_to = parameter(to);
-    const bool forward = mesh_.origin(e) == from;
-    mesh_.add_owner(e, segment_, forward ? t_from : t_to, forward ? t_to : t_from);
-  }
-
-  // Where vertex v lies on the curve of the current segment.
-  double parameter(VertexId v) const {
-    const Segment& s = mesh_.segments()[segment_.index()];
-    if (v == s.a) return s.t_a;
-    if (v == s.b) return s.t_b;
-    const Point a = mesh_.point(s.a), b = mesh_.point(s.b);
-    const double along = std::sqrt(squared_distance(a, mesh_.point(v)) / squared_distance(a, b));
-    return s.t_a + along * (s.t_b - s.t_a);
-  }
-
-  // Flips the edges in crossed_ until none crosses the line from a to b, which then is an edge.
-  void flip_away(VertexId a, VertexId b) {
-    std::deque<VertexPair> crossing(crossed_.begin(), crossed_.end());
-    std::vector<VertexPair> made;
-    while (!crossing.empty()) {  // there is always an edge left that can be flipped [sloan1993]
-      const auto [u, w] = crossing.front();
-      crossing.pop_front();
-      const HalfEdge e = *mesh_.find_edge(u, w);
-      if (!is_flippable(mesh_, e)) {
-        crossing.emplace_back(u, w);
-        continue;
-      }
-      const HalfEdge diagonal = flip(mesh_, e);
-      const VertexId p = mesh_.origin(diagonal), q = mesh_.destination(diagonal);
-      const bool ends_here = p == a || p == b || q == a || q == b;
-      if (!ends_here && side(a, b, p) * side(a, b, q) < 0) crossing.emplace_back(p, q);
-      else made.emplace_back(p, q);
-    }
-    restore_around(made, a, b);
-  }
-
-  void restore_around(const std::vector<VertexPair>& made, VertexId a, VertexId b) {
-    const HalfEdge segment = *mesh_.find_edge(a, b);
-    mesh_.set_constrained_flag(segment, true);  // hold it while its neighbours are flipped
-    mesh_.set_constrained_flag(*mesh_.twin(segment), true);
-    std::vector<HalfEdge> suspects;
-    for (const auto& [p, q] : made) {
-      const auto e = mesh_.find_edge(p, q);
-      for (const TriangleId t : {e->triangle, mesh_.twin(*e)->triangle}) {
-        suspects.insert(suspects.end(), {{t, 0}, {t, 1}, {t, 2}});
-      }
-    }
-    restore_delaunay(mesh_, suspects);
-    const HalfEdge held = *mesh_.find_edge(a, b);
-    mesh_.set_constrained_flag(held, false);
-    mesh_.set_constrained_flag(*mesh_.twin(held), false);
-  }
-
-  // The vertex where the line at -> target crosses constrained edge e, made if necessary.
-  VertexId cross(HalfEdge e, VertexId at, VertexId target) {
-    const VertexId u = mesh_.origin(e), w = mesh_.destination(e);
-    const Point a = mesh_.point(at), b = mesh_.point(target);
-    const Point c = mesh_.point(u), d = mesh_.point(w);
-    const Point p = in_supported_range(crossing_point(a, b, c, d));
-    if (crossings_ == Crossings::refuse) throw crossing_error(e, p);
-    if (p == c) return u;
-    if (p == d) return w;
-    if (report_.crossings_split >= crossing_limit()) throw too_close_error(e, p);
-    for (const Point candidate : near(p)) {
-      if (candidate == a || candidate == b || !can_split_edge(mesh_, e, candidate)) continue;
-      ++report_.crossings_split;
-      const auto number = pslg_.points.size() + report_.crossings_split - 1;
-      const VertexOrigin origin{VertexOrigin::Kind::input, static_cast<std::uint32_t>(number)};
-      const double along = std::sqrt(squared_distance(c, candidate) / squared_distance(c, d));
-      const ConstrainedEdge& record = mesh_.constrained_edge(e);
-      const double t_u = u < w ? record.t_low : record.t_high;
-      const double t_w = u < w ? record.t_high : record.t_low;
-      return insert_on_edge(mesh_, e, candidate, origin, t_u + along * (t_w - t_u)).vertex;
-    }
-    if (const auto v = bend(e)) return *v;
-    throw too_close_error(e, p);
-  }
-
-  // Where a vertex z lies within a few ulp of constrained edge e = u -> w, no double fits between
-  // them: e gives way, and its segments run u -> z -> w instead.
-  std::optional<VertexId> bend(HalfEdge e) {
-    const VertexId u = mesh_.origin(e), w = mesh_.destination(e);
-    for (const HalfEdge side : {e, *mesh_.twin(e)}) {
-      const VertexId z = mesh_.apex(side);
-      if (++bends_ > crossing_limit() || !is_within_rounding(z, u, w)) continue;
-      const auto owners_now = mesh_.segments_of(e);
-      const std::vector<SegmentId> owners(owners_now.begin(), owners_now.end());
-      if (shares_owner(u, z, owners) || shares_owner(z, w, owners)) continue;  // would fold back
-      const ConstrainedEdge record = mesh_.constrained_edge(e);
-      const double t_u = u < w ? record.t_low : record.t_high;
-      const double t_w = u < w ? record.t_high : record.t_low;
-      const double along = std::sqrt(squared_distance(mesh_.point(u), mesh_.point(z)) /
-                                     squared_distance(mesh_.point(u), mesh_.point(w)));
-      const double t_z = t_u + std::min(along, 1.0) * (t_w - t_u);
-      mesh_.erase_record(u, w);
-      mesh_.set_constrained_flag(e, false);
-      mesh_.set_constrained_flag(*mesh_.twin(e), false);
-      for (const SegmentId s : owners) {
-        add_owner_between(u, z, s, t_u, t_z);
-        add_owner_between(z, w, s, t_z, t_w);
-      }
-      std::vector<HalfEdge> suspects{e};
-      restore_delaunay(mesh_, suspects);
-      return z;
-    }
-    return std::nullopt;
-  }
-
-  bool shares_owner(VertexId a, VertexId b, const std::vector<SegmentId>& owners) const {
-    const HalfEdge edge = *mesh_.find_edge(a, b);
-    if (!mesh_.is_constrained(edge)) return false;
-    return std::ranges::any_of(mesh_.segments_of(edge), [&](SegmentId s) {
-      return s == segment_ || std::ranges::find(owners, s) != owners.end();
-    });
-  }
-
-  void add_owner_between(VertexId a, VertexId b, SegmentId s, double t_a, double t_b) {
-    const HalfEdge edge = *mesh_.find_edge(a, b);
-    const bool forward = mesh_.origin(edge) == a;
-    mesh_.add_owner(edge, s, forward ? t_a : t_b, forward ? t_b : t_a);
-  }
-
-  bool is_within_rounding(VertexId z, VertexId u, VertexId w) const {
-    const Point a = mesh_.point(u), b = mesh_.point(w), c = mesh_.point(z);
-    const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-    const Point ab = b - a;
-    const double s = dot(c - a, ab) / dot(ab, ab);
-    const double distance = std::abs(lepp::cross(ab, c - a)) / std::sqrt(dot(ab, ab));
-    return s > 0 && s < 1 && distance <= 8 * 0x1p-52 * largest;
-  }
-
-  static std::array<Point, 9> near(Point p) {
-    const double up = std::numeric_limits<double>::infinity();
-    const double x0 = std::nextafter(p.x, -up), x1 = std::nextafter(p.x, up);
-    const double y0 = std::nextafter(p.y, -up), y1 = std::nextafter(p.y, up);
-    return {p,        Point{x0, p.y}, Point{x1, p.y}, Point{p.x, y0}, Point{p.x, y1},
-            {x0, y0}, {x0, y1},       {x1, y0},       {x1, y1}};
-  }
-
-  std::size_t crossing_limit() const {
-    const std::size_t n = mesh_.segments().size();
-    return n * n + 1000;
-  }
-
-  InputError crossing_error(HalfEdge e, Point p) const {
-    return {pslg_.source, names(e) + " cross at " + to_text(p),
+  InputError crossing_error(Code e, VertexId at, VertexId target) const {
+    const VertexId u = raw_.origin(e), w = raw_.destination(e);
+    const Point p =
+        crossing_point(raw_.point(at), raw_.point(target), raw_.point(u), raw_.point(w));
+    const SegmentId other = owner(u, w), r = std::min(segment_, other), s = std::max(segment_, other);
+    return {pslg_.source,
+            pslg_.segment_name(r) + " and " + pslg_.segment_name(s) + " cross at " + to_text(p),
             "give them a common point there, or use --split-crossings (Crossings::split)"};
   }
 
-  InputError too_close_error(HalfEdge e, Point p) const {
-    return {pslg_.source, names(e) + " cross at " + to_text(p) + ", too close to a point to split",
-            "move or merge the points there"};
-  }
-
-  std::string names(HalfEdge e) const {
-    const SegmentId other = mesh_.segments_of(e)[0];
-    return pslg_.segment_name(std::min(segment_, other)) + " and " +
-           pslg_.segment_name(std::max(segment_, other));
-  }
-
-  Mesh& mesh_;
+  RawTriangulation& raw_;
   const Pslg& pslg_;
-  Crossings crossings_;
   TriangulationReport& report_;
+  SegmentHole hole_;
+  SegmentPieces pieces_;
   SegmentId segment_;
-  std::vector<VertexPair> crossed_;
-  std::size_t bends_ = 0;
 };
 
 }  // namespace
 
-void insert_segments(Mesh& mesh, const Pslg& pslg, Crossings crossings,
-                     TriangulationReport& report) {
-  SegmentInserter inserter(mesh, pslg, crossings, report);
-  for (std::size_t i = 0; i < mesh.segments().size(); ++i) inserter.insert(SegmentId(i));
+SegmentPieces insert_segments(RawTriangulation& raw, const Pslg& pslg,
+                              const std::vector<VertexId>& vertex_of,
+                              TriangulationReport& report) {
+  SegmentInserter inserter(raw, pslg, report);
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const Segment& segment = pslg.segments[s];
+    inserter.insert(SegmentId(s), vertex_of[segment.a.index()], vertex_of[segment.b.index()]);
+  }
+  return inserter.take_pieces();
 }
 
 }  // namespace lepp

@@ -1,18 +1,33 @@
 #pragma once
 
 #include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/triangulation/raw_triangulation.hpp"
 
 namespace lepp {
 
-/// Makes every segment of `mesh.segments()` a chain of constrained edges of the triangulated
-/// convex hull `mesh`, and restores the Delaunay property around them.
+/// An edge of the triangulation that an input segment runs along, from a to b.
+struct SegmentPiece {
+  SegmentId segment;
+  VertexId a, b;
+};
+
+/// All of them: one owner of each constrained edge, and the further owners of shared ones, each
+/// ascending by segment and in order along it.
+struct SegmentPieces {
+  std::vector<SegmentPiece> first, further;
+};
+
+/// Makes every segment of `pslg` a chain of constrained edges of `raw`, and keeps all other edges
+/// Delaunay.
 ///
-/// Each segment is walked from end to end; edges it crosses are flipped away [sloan1993]; a vertex
-/// exactly on it cuts it; an edge that is constrained already becomes shared.
-/// \pre    M1 to M3, the mesh fills its convex hull; segment ends are vertices, not equal
-/// \throw  InputError where two segments cross (Crossings::refuse), or cross so close to a vertex
-///         that no double lies between (Crossings::split)
-void insert_segments(Mesh& mesh, const Pslg& pslg, Crossings crossings,
-                     TriangulationReport& report);
+/// Where the edge is not there yet, the triangles that the segment crosses are removed and the two
+/// halves of the hole are triangulated again. A vertex exactly on a segment cuts it; an edge that
+/// is constrained already becomes shared.
+/// \param vertex_of  for each input point its vertex
+/// \throw  InputError where two segments cross elsewhere than in a point
+/// Cost    O(min(degree of a, degree of b)) for a segment that is an edge already; else the
+///         triangles crossed, and the flips that make the hole Delaunay.
+SegmentPieces insert_segments(RawTriangulation& raw, const Pslg& pslg,
+                              const std::vector<VertexId>& vertex_of, TriangulationReport& report);
 
 }  // namespace lepp

@@ -146,7 +146,7 @@ class Validator {
       if (!mesh_.is_constrained(e)) return;
       const auto f = mesh_.twin(e);
       if (f && *f < e) return;
-      if (mesh_.find_record(mesh_.origin(e), mesh_.destination(e)) == nullptr) {
+      if (!mesh_.find_record(mesh_.origin(e), mesh_.destination(e))) {
         broken("M5", name(e) + " has no record");
         return;
       }

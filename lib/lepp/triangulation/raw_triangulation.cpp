@@ -1,0 +1,115 @@
+#include "lepp/triangulation/raw_triangulation.hpp"
+
+#include <utility>
+
+#include "lepp/geometry/predicates.hpp"
+
+namespace lepp {
+
+void RawTriangulation::find_leaving() {
+  leaving.resize(points.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) leave_from(t);
+}
+
+void RawTriangulation::flip(Code e) {
+  //        c
+  //      / | \        t: (c, a, d) keeps the outer edges ca and ad
+  //     a e|  b       u: (d, b, c) keeps the outer edges db and bc
+  //      \ | /        e = a -> b before; afterwards d -> c in t, opposite a
+  //        d
+  const Code f = twin(e);
+  const VertexId a = origin(e), b = destination(e), c = apex(e), d = apex(f);
+  const std::uint32_t t = triangle_of(e), u = triangle_of(f);
+  const Code ca = previous(e), bc = next(e), ad = next(f), db = previous(f);
+  const std::array<std::pair<Code, bool>, 4> outer{{{twin(ca), is_constrained(ca)},
+                                                    {twin(ad), is_constrained(ad)},
+                                                    {twin(db), is_constrained(db)},
+                                                    {twin(bc), is_constrained(bc)}}};
+  set_corners(t, c, a, d);
+  set_corners(u, d, b, c);
+  const std::array<Code, 4> inner{code(t, 2), code(t, 0), code(u, 2), code(u, 0)};
+  for (std::size_t i = 0; i < 4; ++i) {
+    link(inner[i], outer[i].first);
+    set_constrained(inner[i], outer[i].second);
+  }
+  link(code(t, 1), code(u, 1));
+  leave_from(t);
+  leave_from(u);
+}
+
+void RawTriangulation::restore_delaunay(std::vector<Code>& suspects) {
+  XorShift random;
+  while (!suspects.empty()) {  // ends: no edge that a flip removed ever comes back
+    std::swap(suspects[random(suspects.size())], suspects.back());
+    const Code e = suspects.back();
+    suspects.pop_back();
+    if (is_constrained(e)) continue;
+    const Code f = twin(e);
+    const std::uint32_t t = triangle_of(e), u = triangle_of(f);
+    if (is_ghost(t) || is_ghost(u)) continue;
+    const auto& v = triangles[t].vertices;
+    if (incircle(point(v[0]), point(v[1]), point(v[2]), point(apex(f))) <= 0) continue;
+    flip(e);
+    suspects.insert(suspects.end(), {code(t, 0), code(t, 2), code(u, 0), code(u, 2)});
+  }
+}
+
+RawTriangulation::Code RawTriangulation::edge_between(VertexId a, VertexId b) const {
+  Code at_a = leaving[a.index()], at_b = leaving[b.index()];
+  while (true) {
+    if (destination(at_a) == b) return at_a;
+    if (destination(at_b) == a) return at_b;
+    at_a = turn(at_a);
+    at_b = turn(at_b);
+  }
+}
+
+std::vector<Triangle> RawTriangulation::take_triangles(
+    const std::vector<std::optional<SurfaceId>>& of_label,
+    const std::vector<std::uint32_t>& vertex) {
+  constexpr std::uint32_t dropped = Triangle::nothing;
+  std::vector<std::uint32_t> place(triangles.size(), dropped);
+  std::uint32_t count = 0;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (of_label[label(t)]) place[t] = count++;
+  }
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (place[t] == dropped) continue;
+    Triangle triangle = triangles[t];
+    triangle.region_ = *of_label[triangle.region_.value];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      triangle.vertices[i] = VertexId(vertex[triangle.vertices[i].index()]);
+      const Code across = triangle.across_[i];
+      const std::uint32_t beyond = place[triangle_of(across)];
+      triangle.across_[i] = beyond == dropped ? Triangle::nothing : code(beyond, edge_of(across));
+    }
+    triangles[place[t]] = triangle;  // place[t] <= t: nothing that is still needed
+  }
+  place = {};
+  triangles.resize(count);
+  if (count < triangles.capacity() / 4 * 3) triangles.shrink_to_fit();
+  return std::move(triangles);
+}
+
+RawTriangulation::Place RawTriangulation::locate(Point p, std::uint32_t start) const {
+  XorShift random;
+  std::uint32_t t = start;
+  if (is_ghost(t)) t = triangle_of(twin(code(t, 2)));
+  while (true) {  // ends with probability 1, in O(sqrt n) steps for points spread evenly
+    bool on_constrained = false;
+    std::uint32_t leave = 3;
+    const std::uint32_t first = random(3);
+    for (std::uint32_t k = 0; k < 3 && leave == 3; ++k) {
+      const std::uint32_t i = (first + k) % 3;
+      const Code e = code(t, i);
+      const int side = orient2d(point(origin(e)), point(destination(e)), p);
+      if (side < 0) leave = i;
+      if (side == 0 && is_constrained(e)) on_constrained = true;
+    }
+    if (leave == 3) return {t, on_constrained};
+    t = triangle_of(twin(code(t, leave)));
+    if (is_ghost(t)) return {t, false};
+  }
+}
+
+}  // namespace lepp
