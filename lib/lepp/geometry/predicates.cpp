@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "lepp/geometry/expansion.hpp"
 #include "lepp/geometry/integer_signs.hpp"
@@ -29,7 +30,28 @@ int dot_sign(Point a, Point apex, Point b) {
   return (x + y).sign();
 }
 
+// The rounded determinant with the error bound of [shewchuk1997], which follows the size of its
+// terms more closely than the bound that is cheap to have.
+std::optional<int> filtered_incircle(Point a, Point b, Point c, Point d) {
+  const double ax = a.x - d.x, ay = a.y - d.y;
+  const double bx = b.x - d.x, by = b.y - d.y;
+  const double cx = c.x - d.x, cy = c.y - d.y;
+  const double bc = bx * cy, cb = by * cx;
+  const double ca = cx * ay, ac = cy * ax;
+  const double ab = ax * by, ba = ay * bx;
+  const double a2 = ax * ax + ay * ay;
+  const double b2 = bx * bx + by * by;
+  const double c2 = cx * cx + cy * cy;
+  const double det = a2 * (bc - cb) + b2 * (ca - ac) + c2 * (ab - ba);
+  const double size = a2 * (std::abs(bc) + std::abs(cb)) + b2 * (std::abs(ca) + std::abs(ac)) +
+                      c2 * (std::abs(ab) + std::abs(ba));
+  constexpr double bound = (10 + 96 * filter::epsilon) * filter::epsilon;
+  if (std::abs(det) > bound * size) return filter::sign_of(det);
+  return std::nullopt;
+}
+
 int incircle(Point a, Point b, Point c, Point d) {
+  if (const auto sign = filtered_incircle(a, b, c, d)) return *sign;
   if (const auto grid = on_common_grid<4>({a, b, c, d})) return integer::incircle(*grid);
   const auto ax = difference(a.x, d.x), ay = difference(a.y, d.y);
   const auto bx = difference(b.x, d.x), by = difference(b.y, d.y);

@@ -17,11 +17,20 @@ int dot_sign(Point a, Point apex, Point b);
 namespace filter {
 // Half an ulp of 1: the largest relative error of one rounded operation.
 inline constexpr double epsilon = 0x1p-53;
-// First-order coefficients of the error of the rounded determinants, with room for second order;
-// as derived in [shewchuk1997]. They hold with and without fused operations.
+// First-order coefficients of the errors of the rounded determinants, with room for second order.
+// They hold with and without fused operations. Two products of differences: relative to their
+// sizes, as in [shewchuk1997]. In-circle: relative to mx my m^2, where mx and my bound the
+// differences in x and y, and m both. A factor such as bx dy - by dx is at most 2 mx my, or 2 m^2,
+// with an error of 8 units of that half; the product of two factors then has 36, and the difference
+// of two products 80.
 inline constexpr double two_products = (3 + 16 * epsilon) * epsilon;
-inline constexpr double incircle = (10 + 96 * epsilon) * epsilon;
+inline constexpr double incircle = 81 * epsilon;
 
+inline double larger(double a, double b) { return a < b ? b : a; }
+inline double largest(double a, double b, double c, double d, double e) {
+  return larger(larger(larger(std::abs(a), std::abs(b)), larger(std::abs(c), std::abs(d))),
+                std::abs(e));
+}
 inline int sign_of(double x) { return (x > 0) - (x < 0); }
 }  // namespace filter
 
@@ -41,19 +50,16 @@ inline int orient2d(Point a, Point b, Point c) {
 
 /// +1 if d lies strictly inside the circle through the counter-clockwise a, b, c; 0 on it.
 inline int incircle(Point a, Point b, Point c, Point d) {
-  const double ax = a.x - d.x, ay = a.y - d.y;
-  const double bx = b.x - d.x, by = b.y - d.y;
-  const double cx = c.x - d.x, cy = c.y - d.y;
-  const double bc = bx * cy, cb = by * cx;
-  const double ca = cx * ay, ac = cy * ax;
-  const double ab = ax * by, ba = ay * bx;
-  const double a2 = ax * ax + ay * ay;
-  const double b2 = bx * bx + by * by;
-  const double c2 = cx * cx + cy * cy;
-  const double det = a2 * (bc - cb) + b2 * (ca - ac) + c2 * (ab - ba);
-  const double size = a2 * (std::abs(bc) + std::abs(cb)) + b2 * (std::abs(ca) + std::abs(ac)) +
-                      c2 * (std::abs(ab) + std::abs(ba));
-  if (std::abs(det) > filter::incircle * size) return filter::sign_of(det);
+  // (ab x ad) (ac . bc) - (ab x ac) (ad . bd), which needs ten products [devillers2003].
+  const double bx = b.x - a.x, by = b.y - a.y;
+  const double cx = c.x - a.x, cy = c.y - a.y;
+  const double dx = d.x - a.x, dy = d.y - a.y;
+  const double det = (bx * dy - by * dx) * (cx * (c.x - b.x) + cy * (c.y - b.y)) -
+                     (bx * cy - by * cx) * (dx * (d.x - b.x) + dy * (d.y - b.y));
+  const double mx = filter::largest(bx, cx, dx, c.x - b.x, d.x - b.x);
+  const double my = filter::largest(by, cy, dy, c.y - b.y, d.y - b.y);
+  const double m = mx < my ? my : mx;
+  if (std::abs(det) > filter::incircle * (mx * my) * (m * m)) return filter::sign_of(det);
   return exact::incircle(a, b, c, d);
 }
 

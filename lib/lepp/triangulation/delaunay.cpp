@@ -1,6 +1,6 @@
 #include "lepp/triangulation/delaunay.hpp"
 
-#include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "lepp/geometry/predicates.hpp"
@@ -11,16 +11,18 @@ namespace {
 
 using Code = RawTriangulation::Code;
 
-constexpr unsigned last_round = 10;
+constexpr unsigned most_rounds = 10;
 
-// The round a point is inserted in, counted from the last: one in eight waits for no other round
-// but the one before it.
-unsigned round_of(std::uint64_t vertex) {
-  vertex = (vertex + 0x9E3779B97F4A7C15U) * 0xBF58476D1CE4E5B9U;
-  vertex = (vertex ^ vertex >> 29) * 0x94D049BB133111EBU;
-  unsigned round = 0;
-  for (vertex >>= 32; round < last_round && (vertex & 7) == 0; vertex >>= 3) ++round;
-  return round;
+// The round each vertex is inserted in, counted from the last one, 0: an eighth of the vertices
+// of each round, picked by a hash of their numbers, goes to the round before.
+std::vector<std::uint8_t> choose_rounds(std::size_t count) {
+  std::vector<std::uint8_t> rounds(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    std::uint64_t h = (v + 0x9E3779B97F4A7C15U) * 0xBF58476D1CE4E5B9U;
+    h = (h ^ h >> 29) * 0x94D049BB133111EBU >> 32 | std::uint64_t{1} << 3 * (most_rounds - 1);
+    rounds[v] = static_cast<std::uint8_t>(std::countr_zero(h) / 3);
+  }
+  return rounds;
 }
 
 class Inserter {
@@ -148,9 +150,11 @@ bool triangulate_points(RawTriangulation& raw) {
   raw.triangles.resize(2 * (std::size_t{count} - 1));
   Inserter inserter(raw);
   inserter.start(VertexId(0U), VertexId(1U), VertexId(apex));
-  for (unsigned round = last_round + 1; round-- > 0;) {
+  std::vector<std::uint8_t> rounds = choose_rounds(count);
+  rounds[0] = rounds[1] = rounds[apex] = most_rounds;
+  for (unsigned round = most_rounds; round-- > 0;) {
     for (std::uint32_t v = 2; v < count; ++v) {
-      if (v != apex && round_of(v) == round) inserter.insert(VertexId(v));
+      if (rounds[v] == round) inserter.insert(VertexId(v));
     }
   }
   return true;
