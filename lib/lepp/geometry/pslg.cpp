@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
-#include "lepp/geometry/segment_intersection.hpp"
+#include "lepp/geometry/segment_meetings.hpp"
 #include "lepp/geometry/text.hpp"
 
 namespace lepp {
@@ -31,98 +30,33 @@ void check_place(const Pslg& pslg, Point p, const std::string& what) {
   }
 }
 
-void find_duplicate_points(const Pslg& pslg, std::vector<PslgViolation>& found) {
-  std::vector<std::size_t> order(pslg.points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
-    return std::pair(pslg.points[i], i) < std::pair(pslg.points[j], j);
-  });
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    const VertexId a(order[k - 1]), b(order[k]);
-    if (pslg.points[a.index()] != pslg.points[b.index()]) continue;
-    found.push_back({"P3", "points " + std::to_string(pslg.point_number(a)) + " and " +
-                               std::to_string(pslg.point_number(b)) + " are both at " +
-                               to_text(pslg.points[a.index()])});
+// Puts every broken rule into words, with the user's numbers.
+std::vector<PslgViolation> in_words(const Pslg& pslg, const SegmentMeetings& found) {
+  const auto point = [&](VertexId v) { return std::to_string(pslg.point_number(v)); };
+  const auto segment = [&](SegmentId s) { return std::to_string(pslg.segment_number(s)); };
+  std::vector<PslgViolation> words;
+  for (const auto& [first, copy] : found.duplicate_points) {
+    words.push_back({"P3", "points " + point(first) + " and " + point(copy) + " are both at " +
+                               to_text(pslg.points[copy.index()])});
   }
-}
-
-struct Box {
-  Point low, high;
-};
-
-Box box_of(Point a, Point b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
-SegmentMeeting meeting_of(const Pslg& pslg, SegmentId r, SegmentId s) {
-  const auto ends = [&](SegmentId id) {
-    const Segment& segment = pslg.segments[id.index()];
-    return std::pair(pslg.points[segment.a.index()], pslg.points[segment.b.index()]);
-  };
-  const auto [a, b] = ends(r);
-  const auto [c, d] = ends(s);
-  return segments_meet(a, b, c, d);
-}
-
-// Calls visit(r, s, meeting) for each pair that meets elsewhere than at a common end, until visit
-// says false. A sweep from left to right over bounding boxes.
-template <class Visit>
-void for_each_bad_meeting(const Pslg& pslg, Visit visit) {
-  std::vector<Box> boxes;
-  for (const Segment& s : pslg.segments) {
-    boxes.push_back(box_of(pslg.points[s.a.index()], pslg.points[s.b.index()]));
+  for (const SegmentId s : found.zero_length) {
+    words.push_back({"P4", "segment " + segment(s) + " has both ends at " +
+                               to_text(pslg.points[pslg.segments[s.index()].a.index()])});
   }
-  std::vector<std::size_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
-    return std::pair(boxes[i].low.x, i) < std::pair(boxes[j].low.x, j);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Box& box = boxes[order[i]];
-    for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].low.x <= box.high.x; ++j) {
-      if (!overlap(box, boxes[order[j]])) continue;
-      const auto [first, second] = std::minmax(order[i], order[j]);
-      const SegmentId r(first), s(second);
-      const SegmentMeeting meeting = meeting_of(pslg, r, s);
-      if (meeting == SegmentMeeting::apart || meeting == SegmentMeeting::at_shared_end) continue;
-      if (!visit(r, s, meeting)) return;
-    }
+  for (const auto& [first, copy] : found.repeated_segments) {
+    words.push_back(
+        {"P4", "segments " + segment(first) + " and " + segment(copy) + " have the same ends"});
   }
-}
-
-void check_segment_pairs(const Pslg& pslg, std::vector<PslgViolation>& found) {
-  for_each_bad_meeting(pslg, [&](SegmentId r, SegmentId s, SegmentMeeting meeting) {
-    found.push_back({"P4", "segments " + std::to_string(pslg.segment_number(r)) + " and " +
-                               std::to_string(pslg.segment_number(s)) + " " + describe(meeting)});
-    return true;
-  });
-}
-
-void check_points_on_segments(const Pslg& pslg, std::vector<PslgViolation>& found) {
-  std::vector<bool> is_end(pslg.points.size(), false);
-  for (const Segment& s : pslg.segments) is_end[s.a.index()] = is_end[s.b.index()] = true;
-  std::vector<VertexId> lone;
-  for (std::size_t i = 0; i < is_end.size(); ++i) {
-    if (!is_end[i]) lone.emplace_back(i);
+  for (const SegmentPair& pair : found.pairs) {
+    words.push_back({"P4", "segments " + segment(pair.first) + " and " + segment(pair.second) +
+                               " " + describe(pair.meeting) + " at " +
+                               to_text(meeting_point(pslg, pair))});
   }
-  std::ranges::sort(lone, {}, [&](VertexId v) { return pslg.points[v.index()]; });
-  for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
-    const Segment& s = pslg.segments[i];
-    const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
-    const auto [low, high] = std::minmax(a, b);
-    const auto at = [&](VertexId v) { return pslg.points[v.index()]; };
-    const auto first = std::ranges::lower_bound(lone, low, {}, at);
-    for (auto v = first; v != lone.end() && at(*v) <= high; ++v) {
-      if (!is_on_segment(at(*v), a, b)) continue;
-      found.push_back({"P4", "point " + std::to_string(pslg.point_number(*v)) +
-                                 " lies on segment " +
-                                 std::to_string(pslg.segment_number(SegmentId(i)))});
-    }
+  for (const auto& [v, s] : found.points_on_segments) {
+    words.push_back({"P4", "point " + point(v) + " lies on segment " + segment(s) + " at " +
+                               to_text(pslg.points[v.index()])});
   }
+  return words;
 }
 
 }  // namespace
@@ -133,7 +67,8 @@ std::int64_t Pslg::point_number(VertexId v) const {
 }
 
 std::int64_t Pslg::segment_number(SegmentId s) const {
-  return base + static_cast<std::int64_t>(s.index());
+  return s.index() < segment_numbers.size() ? segment_numbers[s.index()]
+                                            : base + static_cast<std::int64_t>(s.index());
 }
 
 std::string Pslg::segment_name(SegmentId s) const {
@@ -180,12 +115,14 @@ Pslg pslg_from_arrays(std::span<const double> coordinates, std::span<const std::
 }
 
 std::optional<std::pair<SegmentId, SegmentId>> first_bad_meeting(const Pslg& pslg) {
-  std::optional<std::pair<SegmentId, SegmentId>> found;
-  for_each_bad_meeting(pslg, [&](SegmentId r, SegmentId s, SegmentMeeting) {
-    found = {r, s};
-    return false;
-  });
-  return found;
+  const SegmentMeetings found = find_segment_meetings(pslg);
+  std::optional<std::pair<SegmentId, SegmentId>> first;
+  const auto offer = [&](SegmentId r, SegmentId s) {
+    if (!first || std::pair(r, s) < *first) first = {r, s};
+  };
+  for (const SegmentPair& pair : found.pairs) offer(pair.first, pair.second);
+  for (const auto& [r, s] : found.repeated_segments) offer(r, s);
+  return first;
 }
 
 void check_ids_and_range(const Pslg& pslg) {
@@ -255,11 +192,7 @@ std::vector<PslgViolation> validate(const Pslg& pslg) {
     const bool range = error.problem().starts_with("coordinate");
     return {{range ? "P1" : "P2", error.where() + ": " + error.problem()}};
   }
-  std::vector<PslgViolation> found;
-  find_duplicate_points(pslg, found);
-  check_segment_pairs(pslg, found);
-  check_points_on_segments(pslg, found);
-  return found;
+  return in_words(pslg, find_segment_meetings(pslg));
 }
 
 }  // namespace lepp

@@ -51,6 +51,8 @@ struct Pslg {
   std::int64_t base = 0;  ///< number of the first point, segment, hole and seed in messages
   /// The user's numbers of the points, if they are not base, base + 1, ...
   std::vector<std::int64_t> point_numbers;
+  /// Likewise of the segments; pieces of one segment share its number.
+  std::vector<std::int64_t> segment_numbers;
 
   std::int64_t point_number(VertexId v) const;
   std::int64_t segment_number(SegmentId s) const;
@@ -76,14 +78,14 @@ struct PslgViolation {
   std::string where;  ///< with the user's numbers
 };
 
-/// All of P1 to P4, checked pair by pair within bounding boxes.
+/// All of P1 to P4; P3 and P4 as find_segment_meetings() finds them (segment_meetings.hpp).
 /// constrained_delaunay() needs P1 and P2 only: it merges, splits and reports the rest.
-/// \return  the broken rules, empty for a clean PSLG.  Cost O(n log n + pairs of segments that
-/// overlap in x).
+/// \return  the broken rules, empty for a clean PSLG.
 ///          Where P1 or P2 is broken, the first offender alone is returned.
+/// Cost     O(n log n + broken rules) in practice
 std::vector<PslgViolation> validate(const Pslg& pslg);
 
-/// The first pair of segments that meet elsewhere than at a common end. \pre P2
+/// The first pair of segments, by ids, that meet elsewhere than at a common end. \pre P1, P2
 std::optional<std::pair<SegmentId, SegmentId>> first_bad_meeting(const Pslg& pslg);
 
 /// P1 and P2 alone. \throw InputError naming the first offender

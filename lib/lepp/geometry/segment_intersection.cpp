@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lepp/geometry/expansion.hpp"
 #include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/pslg.hpp"
 
 namespace lepp {
 
@@ -16,6 +18,27 @@ SegmentMeeting collinear_meeting(Point a, Point b, Point c, Point d) {
   if (high < low) return SegmentMeeting::apart;
   if (low < high || low_1 == high_1 || low_2 == high_2) return SegmentMeeting::overlapping;
   return SegmentMeeting::at_shared_end;
+}
+
+// The sum of an expansion, rounded, and most of what rounding lost.
+template <std::size_t N>
+RoundedPair leading(const Expansion<N>& e) {
+  if (e.size() == 0) return {0, 0};
+  double rest = 0;
+  for (std::size_t i = 0; i + 1 < e.size(); ++i) rest += e[i];
+  return fast_two_sum(e[e.size() - 1], rest);
+}
+
+// numerator / denominator, rounded to the nearest double of the supported range.
+template <std::size_t M, std::size_t N>
+double quotient(const Expansion<M>& numerator, const Expansion<N>& denominator) {
+  const double below = leading(denominator).value;
+  const double first = leading(numerator).value / below;
+  if (std::abs(first) < 0.5 * min_coordinate) return 0;
+  const double rest = leading(numerator - scale(denominator, first)).value;
+  const double rounded = first + rest / below;
+  if (std::abs(rounded) >= min_coordinate) return rounded;
+  return std::abs(rounded) < 0.5 * min_coordinate ? 0 : std::copysign(min_coordinate, rounded);
 }
 
 }  // namespace
@@ -54,12 +77,19 @@ SegmentMeeting segments_meet(Point a, Point b, Point c, Point d) {
 }
 
 Point crossing_point(Point a, Point b, Point c, Point d) {
-  // In coordinates relative to a, along the direction that loses least: the parameter of cd's line
-  // on ab. The quotient lies in [0, 1] up to rounding.
-  const Point ab = b - a, cd = d - c;
-  const double across = cross(ab, cd);
-  const double s = std::clamp(cross(c - a, cd) / across, 0.0, 1.0);
-  return s <= 0.5 ? a + s * ab : b - (1 - s) * ab;
+  // a + s (b - a) with s = cross(c - a, d - c) / cross(b - a, d - c), as one exact fraction.
+  const auto x_ab = difference(b.x, a.x), y_ab = difference(b.y, a.y);
+  const auto x_cd = difference(d.x, c.x), y_cd = difference(d.y, c.y);
+  const auto above = difference(c.x, a.x) * y_cd - difference(c.y, a.y) * x_cd;
+  const auto below = x_ab * y_cd - y_ab * x_cd;
+  return {quotient(scale(below, a.x) + above * x_ab, below),
+          quotient(scale(below, a.y) + above * y_ab, below)};
+}
+
+double signed_double_area(Point a, Point b, Point c) {
+  const auto left = difference(a.x, c.x) * difference(b.y, c.y);
+  const auto right = difference(a.y, c.y) * difference(b.x, c.x);
+  return leading(left - right).value;
 }
 
 }  // namespace lepp

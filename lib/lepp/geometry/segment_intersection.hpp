@@ -23,8 +23,12 @@ SegmentMeeting segments_meet(Point a, Point b, Point c, Point d);
 /// True if p lies on the closed segment ab, exactly.
 bool is_on_segment(Point p, Point a, Point b);
 
-/// The crossing of ab and cd, rounded; it may be a few ulp off both lines.
+/// The crossing of ab and cd, rounded to the nearest double of the supported range; it may lie off
+/// both lines by half an ulp in x and in y.
 /// \pre  the segments cross at one point inside both
 Point crossing_point(Point a, Point b, Point c, Point d);
+
+/// Twice the signed area of the triangle abc, correct to the last bit or two, however small.
+double signed_double_area(Point a, Point b, Point c);
 
 }  // namespace lepp

@@ -1,0 +1,103 @@
+#include "lepp/geometry/segment_meetings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "support/hard_pslgs.hpp"
+#include "support/plain_meetings.hpp"
+#include "support/shapes.hpp"
+
+using namespace lepp;
+
+namespace {
+
+Pslg separate(const std::vector<std::pair<Point, Point>>& pieces) {
+  Pslg pslg;
+  for (const auto& [a, b] : pieces) test::add_chain(pslg, {a, b}, false);
+  return pslg;
+}
+
+}  // namespace
+
+TEST_CASE("what is found equals what comparing each pair with each finds") {
+  const unsigned seed = 20263;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::size_t pairs = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    CAPTURE(i);
+    const Pslg pslg = test::hard_pslg(random, 60, 80);
+    const SegmentMeetings found = find_segment_meetings(pslg), plain = test::plain_meetings(pslg);
+    REQUIRE(found.pairs == plain.pairs);
+    REQUIRE(found.points_on_segments == plain.points_on_segments);
+    REQUIRE(found.repeated_segments == plain.repeated_segments);
+    REQUIRE(found.zero_length == plain.zero_length);
+    REQUIRE(found.duplicate_points == plain.duplicate_points);
+    REQUIRE(found.none() == validate(pslg).empty());
+    pairs += found.pairs.size();
+  }
+  CHECK(pairs > 100'000);
+}
+
+TEST_CASE("a fan of many spokes: only those of one direction meet") {
+  Pslg pslg;
+  pslg.points.push_back({0.1, 0.2});
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 1000;
+    pslg.points.push_back(Point{0.1, 0.2} + Point{std::cos(angle), std::sin(angle)});
+  }
+  for (std::uint32_t i = 1; i <= 1000; ++i) {
+    pslg.segments.push_back({VertexId(0U), VertexId(i), {}, 0, 1});
+  }
+  CHECK(find_segment_meetings(pslg).none());
+  pslg.points.push_back({1.1, 1.2});  // 45 degrees, where a slope can round to either side of 1
+  pslg.points.push_back({2.1, 2.2});
+  pslg.segments.push_back({VertexId(1001U), VertexId(0U), {}, 0, 1});
+  pslg.segments.push_back({VertexId(0U), VertexId(1002U), {}, 0, 1});
+  const SegmentMeetings found = find_segment_meetings(pslg);
+  CHECK(found.pairs == test::plain_meetings(pslg).pairs);
+}
+
+TEST_CASE("long segments side by side cost no more than short ones") {
+  std::vector<std::pair<Point, Point>> upright, slanted;
+  for (int i = 0; i < 20'000; ++i) {
+    upright.push_back({{1.0 * i, 0}, {1.0 * i, 1e5}});
+    slanted.push_back({{1e-5 * i, 0}, {1 + 1e-5 * i, 1}});
+  }
+  for (const auto& pieces : {upright, slanted}) {
+    const Pslg pslg = separate(pieces);
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(find_segment_meetings(pslg).none());
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    CHECK(elapsed.count() < 1);  // comparing each with each takes minutes under sanitizers
+  }
+}
+
+TEST_CASE("a pair is named once, with a point that both have in common") {
+  const Pslg pslg = separate({{{0, 0}, {4, 0}}, {{2, -1}, {2, 1}}, {{3, 0}, {6, 0}}});
+  const SegmentMeetings found = find_segment_meetings(pslg);
+  REQUIRE(found.pairs.size() == 2);
+  CHECK(found.pairs[0] == SegmentPair{SegmentId(0U), SegmentId(1U), SegmentMeeting::crossing});
+  CHECK(found.pairs[1] == SegmentPair{SegmentId(0U), SegmentId(2U), SegmentMeeting::overlapping});
+  CHECK(meeting_point(pslg, found.pairs[0]) == Point{2, 0});
+  CHECK(meeting_point(pslg, found.pairs[1]) == Point{3, 0});
+}
+
+TEST_CASE("copies of points and segments are listed apart, and compared only once") {
+  Pslg pslg = test::unit_square();
+  pslg.points.push_back({1, 1});                                    // 4, a copy of 2
+  pslg.segments.push_back({VertexId(4U), VertexId(1U), {}, 0, 1});  // repeats 1
+  pslg.segments.push_back({VertexId(4U), VertexId(2U), {}, 0, 1});  // no length
+  test::add_chain(pslg, {{0.5, 0.5}, {2, 0.5}}, false);             // crosses 1 and its copy
+  const SegmentMeetings found = find_segment_meetings(pslg);
+  CHECK(found.duplicate_points == std::vector{std::pair(VertexId(2U), VertexId(4U))});
+  CHECK(found.repeated_segments == std::vector{std::pair(SegmentId(1U), SegmentId(4U))});
+  CHECK(found.zero_length == std::vector{SegmentId(5U)});
+  CHECK(found.pairs.size() == 1);
+  CHECK_FALSE(found.none());
+}
