@@ -86,6 +86,15 @@ Point crossing_point(Point a, Point b, Point c, Point d) {
           quotient(scale(below, a.y) + above * y_ab, below)};
 }
 
+int order_along(Point a, Point b, Point p, Point q) {
+  const double x = (b.x - a.x) * (q.x - p.x), y = (b.y - a.y) * (q.y - p.y);
+  const double bound = 0x1p-50 * (std::abs(x) + std::abs(y));
+  if (std::abs(x + y) > bound) return x + y > 0 ? 1 : -1;
+  const auto along_x = difference(b.x, a.x) * difference(q.x, p.x);
+  const auto along_y = difference(b.y, a.y) * difference(q.y, p.y);
+  return (along_x + along_y).sign();
+}
+
 double signed_double_area(Point a, Point b, Point c) {
   const auto left = difference(a.x, c.x) * difference(b.y, c.y);
   const auto right = difference(a.y, c.y) * difference(b.x, c.x);

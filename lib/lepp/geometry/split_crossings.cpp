@@ -1,0 +1,299 @@
+#include "lepp/geometry/split_crossings.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+
+#include "lepp/geometry/near_pairs.hpp"
+#include "lepp/geometry/pixel.hpp"
+#include "lepp/geometry/segment_meetings.hpp"
+#include "lepp/geometry/text.hpp"
+
+namespace lepp {
+
+namespace {
+
+constexpr int max_rounds = 40;
+constexpr int patience = 6;  // after so many rounds pixels begin to grow
+
+struct HashOfPoint {
+  std::size_t operator()(Point p) const {
+    const auto bits = [](double c) { return std::bit_cast<std::uint64_t>(c + 0.0); };  // -0 is 0
+    const std::uint64_t mixed = bits(p.x) * 0x9e3779b97f4a7c15U ^ std::rotl(bits(p.y), 29);
+    return static_cast<std::size_t>((mixed ^ (mixed >> 31)) * 0xbf58476d1ce4e5b9U);
+  }
+};
+
+// An input segment and the vertices it has to pass, in order, without its ends. The list only
+// grows, and where a vertex lies along the segment is asked of the unmoved segment: so no chain
+// folds back or crosses itself, and rounds cannot go in a circle.
+struct Track {
+  SegmentId segment;
+  std::vector<VertexId> passes;
+};
+
+// A place where a piece is to be cut.
+struct Cut {
+  std::size_t piece;
+  VertexId at;
+  friend auto operator<=>(const Cut&, const Cut&) = default;
+};
+
+class Splitter {
+ public:
+  explicit Splitter(const Pslg& pslg) : input_(pslg), work_(pslg), tracks_(pslg.segments.size()) {
+    for (std::size_t i = 0; i < tracks_.size(); ++i) tracks_[i].segment = SegmentId(i);
+    if (!pslg.point_numbers.empty()) next_number_ = std::ranges::max(pslg.point_numbers) + 1;
+    lay_pieces();
+  }
+
+  SplitPslg run() {
+    int rounds = 0;
+    while (true) {  // between two turns the pieces of a segment are a chain between its ends
+      const SegmentMeetings found = find_segment_meetings(work_);
+      if (found.pairs.empty() && found.points_on_segments.empty()) break;
+      if (rounds == max_rounds) throw still_crossing(found);
+      growth_ = rounds < patience ? 1 : std::ldexp(1.0, rounds - patience + 1);
+      cut_where_they_meet(found);
+      cut_at_hot_points();
+      share_cuts(found);
+      apply_cuts();
+      lay_pieces();
+      ++rounds;
+    }
+    if (rounds > 0) number_segments();
+    const std::size_t made = work_.points.size() - input_.points.size();
+    return {std::move(work_), std::move(of_), made, on_segments_, rounds};
+  }
+
+ private:
+  Point at(VertexId v) const { return work_.points[v.index()]; }
+  const Segment& piece(SegmentId s) const { return work_.segments[s.index()]; }
+  const Segment& whole(std::size_t piece) const { return input_.segments[of_[piece].index()]; }
+
+  void number_segments() {
+    work_.segment_numbers.clear();
+    for (const SegmentId s : of_) work_.segment_numbers.push_back(input_.segment_number(s));
+  }
+
+  void cut_where_they_meet(const SegmentMeetings& found) {
+    cuts_.clear();
+    hot_.clear();
+    moving_.clear();
+    moves_.assign(work_.segments.size(), false);
+    for (const SegmentPair& pair : found.pairs) {
+      if (pair.meeting == SegmentMeeting::crossing) {
+        cut_at_crossing(pair);
+      } else {
+        cut_at_ends(pair.first, pair.second);
+        cut_at_ends(pair.second, pair.first);
+      }
+    }
+    for (const auto& [v, s] : found.points_on_segments) cut(s, v);
+  }
+
+  void cut(SegmentId s, VertexId v) { cuts_.push_back({s.index(), v}); }
+
+  void cut_at_ends(SegmentId of, SegmentId s) {
+    const Point a = at(piece(s).a), b = at(piece(s).b);
+    for (const VertexId v : {piece(of).a, piece(of).b}) {
+      if (at(v) != a && at(v) != b && is_on_segment(at(v), a, b)) cut(s, v);
+    }
+  }
+
+  // At the rounded crossing; where that is not between the ends of a piece, at the end next to it.
+  void cut_at_crossing(const SegmentPair& pair) {
+    const Segment &r = piece(pair.first), &s = piece(pair.second);
+    VertexId v = vertex_at(crossing_point(at(r.a), at(r.b), at(s.a), at(s.b)));
+    v = not_beyond_ends(r, v);
+    v = not_beyond_ends(s, v);
+    for (const SegmentId id : {pair.first, pair.second}) {
+      if (not_beyond_ends(piece(id), v) == v) cut(id, v);
+      move(id.index());
+    }
+    hot_.push_back(v);
+  }
+
+  VertexId not_beyond_ends(const Segment& s, VertexId v) const {
+    if (order_along(at(s.a), at(s.b), at(s.a), at(v)) <= 0) return s.a;
+    if (order_along(at(s.a), at(s.b), at(v), at(s.b)) <= 0) return s.b;
+    return v;
+  }
+
+  VertexId vertex_at(Point p) {
+    if (vertex_at_.empty()) {
+      vertex_at_.reserve(2 * work_.points.size());
+      for (std::size_t i = 0; i < work_.points.size(); ++i) {
+        vertex_at_.try_emplace(work_.points[i], i);
+      }
+    }
+    const auto [known, is_new] = vertex_at_.try_emplace(p, work_.points.size());
+    if (is_new) {
+      work_.points.push_back(p);
+      if (!work_.point_numbers.empty()) work_.point_numbers.push_back(next_number_++);
+    }
+    return known->second;
+  }
+
+  // Where a piece is cut at a rounded point it moves, by less than a pixel. So that nothing slips
+  // from one side of a point to the other, a piece that moves is cut at all points whose pixel it
+  // meets, and there every other piece that meets that pixel, which then moves as well.
+  void cut_at_hot_points() {
+    if (hot_.empty()) return;
+    const std::vector<Cut> meets = pieces_and_pixels();
+    std::vector<Cut> by_point = meets;
+    std::ranges::sort(by_point, {}, [](const Cut& c) { return std::pair(c.at, c.piece); });
+    std::vector<bool> is_hot(work_.points.size(), false);
+    for (const VertexId v : hot_) is_hot[v.index()] = true;
+    while (!hot_.empty() || !moving_.empty()) {  // each point and each piece is taken once
+      if (!hot_.empty()) {
+        const VertexId v = hot_.back();
+        hot_.pop_back();
+        for (const Cut& c : std::ranges::equal_range(by_point, v, {}, &Cut::at)) {
+          cut(SegmentId(c.piece), v);
+          move(c.piece);
+        }
+      } else {
+        const std::size_t piece = moving_.back();
+        moving_.pop_back();
+        for (const Cut& c : std::ranges::equal_range(meets, piece, {}, &Cut::piece)) {
+          if (!is_hot[c.at.index()]) hot_.push_back(c.at);
+          is_hot[c.at.index()] = true;
+        }
+      }
+    }
+  }
+
+  void move(std::size_t piece) {
+    if (!moves_[piece]) moving_.push_back(piece);
+    moves_[piece] = true;
+  }
+
+  // Which piece meets the pixel of which point, apart from its ends; in order.
+  std::vector<Cut> pieces_and_pixels() {
+    std::vector<Strip> strips;
+    for (const Segment& s : work_.segments) strips.push_back({at(s.a), at(s.b)});
+    const std::size_t pieces = strips.size();
+    for (const Point p : work_.points) strips.push_back({p, p, reach(p, growth_)});
+    std::vector<Cut> meets;
+    for_each_near_pair(strips, [&](std::uint32_t i, std::uint32_t j) {
+      if (i >= pieces || j < pieces) return true;
+      const VertexId v(j - pieces);
+      if (is_between(whole(i), v) && meets_pixel(i, v) && vertex_at(at(v)) == v) {
+        meets.push_back({i, v});
+      }
+      return true;
+    });
+    std::ranges::sort(meets);
+    const auto copies = std::ranges::unique(meets);
+    meets.erase(copies.begin(), copies.end());
+    return meets;
+  }
+
+  // The unmoved segment or the piece as it is now.
+  bool meets_pixel(std::size_t i, VertexId v) const {
+    const Segment &s = work_.segments[i], &unmoved = whole(i);
+    if (at(v) == at(s.a) || at(v) == at(s.b)) return false;
+    return lepp::meets_pixel(at(s.a), at(s.b), at(v), growth_) ||
+           lepp::meets_pixel(at(unmoved.a), at(unmoved.b), at(v), growth_);
+  }
+
+  bool is_between(const Segment& s, VertexId v) const {
+    return order_along(at(s.a), at(s.b), at(s.a), at(v)) > 0 &&
+           order_along(at(s.a), at(s.b), at(v), at(s.b)) > 0;
+  }
+
+  // A segment that repeats another is cut where that is.
+  void share_cuts(const SegmentMeetings& found) {
+    drop_copies();
+    std::vector<Cut> shared;
+    for (const auto& [first, copy] : found.repeated_segments) {
+      const auto begin = std::ranges::lower_bound(cuts_, first.index(), {}, &Cut::piece);
+      for (auto cut = begin; cut != cuts_.end() && cut->piece == first.index(); ++cut) {
+        shared.push_back({copy.index(), cut->at});
+      }
+    }
+    cuts_.insert(cuts_.end(), shared.begin(), shared.end());
+    drop_copies();
+  }
+
+  void drop_copies() {
+    std::ranges::sort(cuts_);
+    const auto copies = std::ranges::unique(cuts_);
+    cuts_.erase(copies.begin(), copies.end());
+  }
+
+  void apply_cuts() {
+    for (const auto& [piece, v] : cuts_) {
+      if (!is_between(whole(piece), v)) continue;
+      auto& passes = tracks_[of_[piece].index()].passes;
+      const auto here = std::ranges::lower_bound(
+          passes, v, [&](VertexId p, VertexId q) { return comes_before(whole(piece), p, q); });
+      if (here != passes.end() && at(*here) == at(v)) continue;
+      passes.insert(here, v);
+      if (v.index() < input_.points.size()) ++on_segments_;
+    }
+  }
+
+  bool comes_before(const Segment& s, VertexId p, VertexId q) const {
+    const int order = order_along(at(s.a), at(s.b), at(p), at(q));
+    return order != 0 ? order > 0 : at(p) < at(q);
+  }
+
+  void lay_pieces() {
+    work_.segments.clear();
+    of_.clear();
+    for (const Track& track : tracks_) {
+      const Segment& s = input_.segments[track.segment.index()];
+      Segment piece{s.a, s.a, s.curve, s.t_a, s.t_a};
+      for (const VertexId v : track.passes) {
+        piece = {piece.b, v, s.curve, piece.t_b, parameter(s, at(v))};
+        work_.segments.push_back(piece);
+      }
+      work_.segments.push_back({piece.b, s.b, s.curve, piece.t_b, s.t_b});
+      of_.resize(work_.segments.size(), track.segment);
+    }
+  }
+
+  double parameter(const Segment& s, Point p) const {
+    const double length = squared_distance(at(s.a), at(s.b));
+    const double share = std::min(1.0, std::sqrt(squared_distance(at(s.a), p) / length));
+    return s.t_a + share * (s.t_b - s.t_a);
+  }
+
+  InputError still_crossing(const SegmentMeetings& found) const {
+    const auto name = [&](SegmentId s) { return input_.segment_name(of_[s.index()]); };
+    if (found.pairs.empty()) {
+      const auto& [v, s] = found.points_on_segments.front();
+      return {input_.source, name(s) + " passes too close to the point at " + to_text(at(v)),
+              "move or merge the points there"};
+    }
+    const SegmentPair& pair = found.pairs.front();
+    return {input_.source,
+            name(pair.first) + " and " + name(pair.second) + " cross at " +
+                to_text(meeting_point(work_, pair)) + ", too close to other points to split",
+            "move or merge the points there"};
+  }
+
+  const Pslg& input_;
+  Pslg work_;
+  std::vector<Track> tracks_;
+  std::vector<SegmentId> of_;  // for each piece in work_ the segment in input_
+  std::unordered_map<Point, VertexId, HashOfPoint> vertex_at_;
+  std::vector<Cut> cuts_;
+  std::vector<VertexId> hot_;        // points where pieces were cut, to be dealt with
+  std::vector<std::size_t> moving_;  // pieces that were cut at a rounded point, likewise
+  std::vector<bool> moves_;          // of each piece: it is or was in moving_
+  double growth_ = 1;
+  std::int64_t next_number_ = 0;
+  std::size_t on_segments_ = 0;
+};
+
+}  // namespace
+
+SplitPslg split_crossings(const Pslg& pslg) { return Splitter(pslg).run(); }
+
+}  // namespace lepp
