@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "describe_meetings.hpp"
 #include "inputs.hpp"
 #include "lepp/geometry/text.hpp"
 #include "outputs.hpp"
@@ -63,6 +64,8 @@ Json describe(const Input& input) {
   if (!input.triangles) {
     for (const PslgViolation& v : validate(pslg))
       broken.push_back({{"rule", v.rule}, {"where", v.where}});
+    const bool sound = broken.empty() || broken[0]["rule"] > "P2";
+    if (sound) info["meetings"] = describe_meetings(pslg, find_segment_meetings(pslg));
   }
   info["violations"] = broken;
   info["warnings"] = input.warnings;
@@ -90,11 +93,11 @@ std::string as_text(const Json& info) {
              ", dimension " + g["dimension"].dump() + ", tag " + g["tag"].dump() + ", " +
              g["entities"].dump() + (g["entities"] == 1 ? " entity" : " entities"));
   }
-  const auto& broken = info["violations"];
-  for (std::size_t i = 0; i < std::min<std::size_t>(broken.size(), 10); ++i) {
-    line(broken[i]["rule"], broken[i]["where"]);
+  if (info.contains("meetings")) {  // P3 and P4 are told there
+    text += text_of_meetings(info["meetings"]);
+  } else {
+    for (const auto& broken : info["violations"]) line(broken["rule"], broken["where"]);
   }
-  if (broken.size() > 10) line("", "and " + std::to_string(broken.size() - 10) + " more");
   for (const auto& warning : info["warnings"]) line("warning", warning);
   return text;
 }

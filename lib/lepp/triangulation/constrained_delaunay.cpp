@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lepp/geometry/split_crossings.hpp"
 #include "lepp/triangulation/delaunay.hpp"
 #include "lepp/triangulation/mesh_of_regions.hpp"
 #include "lepp/triangulation/regions.hpp"
@@ -110,9 +111,22 @@ void note(TriangulationReport& report, std::size_t count, const std::string& wha
   if (count > 0) report.warnings.push_back(std::to_string(count) + " " + what);
 }
 
+// Splits what crosses first; then nothing is left to refuse.
+Triangulation split_and_triangulate(const Pslg& pslg) {
+  check_ids_and_range(pslg);
+  const SplitPslg split = split_crossings(pslg);
+  Triangulation made = constrained_delaunay(split.pslg, {Crossings::refuse});
+  made.report.crossings_split = split.crossings_split;
+  made.report.points_on_segments += split.points_on_segments;
+  made.report.vertex_of_point.resize(pslg.points.size());
+  note(made.report, split.crossings_split, "vertices added where segments cross");
+  return made;
+}
+
 }  // namespace
 
-Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& /*options*/) {
+Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& options) {
+  if (options.crossings == Crossings::split) return split_and_triangulate(pslg);
   check_ids_and_range(pslg);
   check_count(pslg);
   TriangulationReport report;
@@ -128,7 +142,6 @@ Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions&
                               vertex_of, report);
   note(report, report.points_outside, "points lie outside the domain and are not in the mesh");
   note(report, report.segments_outside, "segments lie partly or wholly outside the domain");
-  note(report, report.crossings_split, "vertices added where segments cross");
   return {std::move(mesh), std::move(report)};
 }
 

@@ -64,11 +64,11 @@ class MeshOfRegions {
 
   // Pieces outside the domain go; each segment that loses one is counted once.
   void drop_outside(SegmentPieces& pieces) {
-    std::vector<SegmentId> losers;
+    std::vector<std::int64_t> losers;  // the numbers of the user, whose segments may be cut already
     for (auto* list : {&pieces.first, &pieces.further}) {
       std::erase_if(*list, [&](const SegmentPiece& piece) {
         if (is_inside(piece)) return false;
-        losers.push_back(piece.segment);
+        losers.push_back(pslg_.segment_number(piece.segment));
         return true;
       });
     }
