@@ -5,44 +5,10 @@
 #include <set>
 
 #include "pipeline/program.hpp"
-#include "support/real_inputs.hpp"
+#include "support/table.hpp"
 
 using namespace lepp::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-using Row = std::map<std::string, std::string>;
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) cells.emplace_back();
-    else if (c != '\r') cells.back() += c;
-  }
-  return cells;
-}
-
-std::vector<Row> table(const std::string& name) {
-  std::vector<Row> rows;
-  const auto file = real_input(name);
-  if (!file) return rows;
-  std::ifstream in(*file);
-  std::string line;
-  std::getline(in, line);
-  const auto head = split(line);
-  while (std::getline(in, line)) {
-    const auto cells = split(line);
-    Row row;
-    for (std::size_t i = 0; i < std::min(head.size(), cells.size()); ++i) row[head[i]] = cells[i];
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-}  // namespace
 
 TEST_CASE("real .geo files: certified meshes where Gmsh makes a plane mesh, else a clear error") {
   const auto rows = table("geo_properties.csv");
