@@ -16,8 +16,10 @@ bool is_tag(double attribute) {
 }  // namespace
 
 CurveId EntityTable::curve(int marker) {
+  if (marker == last_curve_.first && marker != 0) return last_curve_.second;
   const auto [known, is_new] = curves_.try_emplace(marker, entities_.curves.size());
   if (is_new) entities_.curves.push_back({marker, group(1, marker), StraightCurve{}, {}});
+  last_curve_ = *known;
   return known->second;
 }
 

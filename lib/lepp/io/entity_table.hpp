@@ -25,6 +25,7 @@ class EntityTable {
 
   Entities entities_;
   std::map<int, CurveId> curves_;
+  std::pair<int, CurveId> last_curve_;  // neighbours in a file mostly have the same number
   std::map<std::pair<double, double>, SurfaceId> surfaces_;
   std::map<std::pair<int, int>, GroupId> groups_;
 };

@@ -32,44 +32,45 @@ struct MarkedSegment {
   int marker = 0;
 };
 
-std::string numbered(std::string_view what, std::int64_t number) {
-  return std::string(what) + " " + std::to_string(number);
-}
-
 // Checks the number that starts a record.
-void check_number(const LineReader& line, std::string_view what, std::int64_t wanted) {
-  const std::int64_t number = line.integer(0, "the number of the " + std::string(what));
-  if (number == wanted) return;
-  line.fail(numbered(what, number) + " stands where " + numbered(what, wanted) + " belongs",
+void check_number(const LineReader& line, std::int64_t number, const Record& wanted) {
+  if (number == wanted.number) return;
+  line.fail(Record{wanted.kind, number}.text() + " stands where " + wanted.text() + " belongs",
             "number them one after the other");
 }
 
+// What is missing where a file ends too early.
+std::string next_of(std::string_view what, std::size_t done, std::size_t count) {
+  return std::string(what) + " (" + std::to_string(done) + " of " + std::to_string(count) +
+         " are there)";
+}
+
 VertexId vertex(const LineReader& line, std::size_t field, const Vertices& vertices,
-                const std::string& whose) {
-  const std::int64_t number = line.integer(field, "a vertex of " + whose);
+                const Record& whose) {
+  const std::int64_t number = line.integer(field, {"a vertex of ", whose});
   const std::int64_t index = number - vertices.base;
   if (index < 0 || static_cast<std::uint64_t>(index) >= vertices.points.size()) {
-    line.fail(whose + " refers to vertex " + std::to_string(number) + ", but the vertices are " +
-                  vertices.range(),
+    line.fail(whose.text() + " refers to vertex " + std::to_string(number) +
+                  ", but the vertices are " + vertices.range(),
               "correct the number, or add the vertex");
   }
   return VertexId(static_cast<std::size_t>(index));
 }
 
-int marker(const LineReader& line, std::size_t field, const std::string& whose) {
-  const std::int64_t value = line.integer(field, "the marker of " + whose);
+int marker(const LineReader& line, std::size_t field, const Record& whose) {
+  const std::int64_t value = line.integer(field, {"the marker of ", whose});
   if (std::abs(value) > 2147483647) {
-    line.fail("the marker of " + whose + " is " + std::to_string(value) + ", beyond 32 bits",
+    line.fail("the marker of " + whose.text() + " is " + std::to_string(value) + ", beyond 32 bits",
               "use smaller markers");
   }
   return static_cast<int>(value);
 }
 
-std::size_t optional_flag(const LineReader& line, std::size_t field, std::string_view what) {
+std::size_t optional_flag(const LineReader& line, std::size_t field, const Label& what) {
   if (field >= line.fields()) return 0;
   const std::int64_t value = line.integer(field, what);
   if (value != 0 && value != 1) {
-    line.fail(std::string(what) + " is " + std::to_string(value), "write 0 or 1");
+    line.fail(what.text() + " is " + std::to_string(value), "write 0 or 1");
   }
   return static_cast<std::size_t>(value);
 }
@@ -89,17 +90,17 @@ Vertices read_vertices(LineReader& line) {
   Vertices vertices;
   vertices.points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    line.need("a vertex (" + std::to_string(i) + " of " + std::to_string(count) + " are there)");
+    if (!line.next()) line.ends_before(next_of("a vertex", i, count));
     const std::int64_t number = line.integer(0, "the number of the vertex");
     if (i == 0 && (number == 0 || number == 1)) vertices.base = number;
-    check_number(line, "vertex", vertices.base + static_cast<std::int64_t>(i));
-    const std::string name = numbered("vertex", number);
+    const Record own{"vertex", vertices.base + static_cast<std::int64_t>(i)};
+    check_number(line, number, own);
     line.expect_fields(3 + attributes, 3 + attributes + markers,
-                       name + " has number, x, y, attributes and marker as the header says");
-    const double x = line.coordinate(1, "x of " + name);
-    const double y = line.coordinate(2, "y of " + name);
-    for (std::size_t k = 0; k < attributes; ++k) line.number(3 + k, "an attribute of " + name);
-    if (line.fields() > 3 + attributes) marker(line, 3 + attributes, name);
+                       {"", own, " has number, x, y, attributes and marker as the header says"});
+    const double x = line.coordinate(1, {"x of ", own});
+    const double y = line.coordinate(2, {"y of ", own});
+    for (std::size_t k = 0; k < attributes; ++k) line.number(3 + k, {"an attribute of ", own});
+    if (line.fields() > 3 + attributes) marker(line, 3 + attributes, own);
     vertices.points.push_back({x, y});
   }
   return vertices;
@@ -114,14 +115,13 @@ std::vector<MarkedSegment> read_segments(LineReader& line, const Vertices& verti
   std::vector<MarkedSegment> segments;
   segments.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    line.need("a " + std::string(what));
-    const std::int64_t number = vertices.base + static_cast<std::int64_t>(i);
-    check_number(line, what, number);
-    const std::string name = numbered(what, number);
-    line.expect_fields(3, 3 + markers, "the number, two vertices and the marker of " + name);
-    const VertexId a = vertex(line, 1, vertices, name);
-    const VertexId b = vertex(line, 2, vertices, name);
-    segments.push_back({a, b, line.fields() > 3 ? marker(line, 3, name) : 0});
+    if (!line.next()) line.ends_before("a " + std::string(what));
+    const Record own{what, vertices.base + static_cast<std::int64_t>(i)};
+    check_number(line, line.integer(0, {"the number of ", own}), own);
+    line.expect_fields(3, 3 + markers, {"the number, two vertices and the marker of ", own});
+    const VertexId a = vertex(line, 1, vertices, own);
+    const VertexId b = vertex(line, 2, vertices, own);
+    segments.push_back({a, b, line.fields() > 3 ? marker(line, 3, own) : 0});
   }
   return segments;
 }
@@ -144,9 +144,9 @@ std::vector<Point> read_holes(LineReader& line) {
   std::vector<Point> holes;
   for (std::size_t i = 0; i < count; ++i) {
     line.need("a hole");
-    const std::string name = numbered("hole", line.integer(0, "the number of the hole"));
-    line.expect_fields(3, 3, "the number, x and y of " + name);
-    holes.push_back({line.coordinate(1, "x of " + name), line.coordinate(2, "y of " + name)});
+    const Record own{"hole", line.integer(0, "the number of the hole")};
+    line.expect_fields(3, 3, {"the number, x and y of ", own});
+    holes.push_back({line.coordinate(1, {"x of ", own}), line.coordinate(2, {"y of ", own})});
   }
   return holes;
 }
@@ -158,11 +158,11 @@ std::vector<RegionSeed> read_regions(LineReader& line, EntityTable& table) {
   const std::size_t count = line.count(0, "regions", 8);
   for (std::size_t i = 0; i < count; ++i) {
     line.need("a region");
-    const std::string name = numbered("region", line.integer(0, "the number of the region"));
-    line.expect_fields(4, 5, "number, x, y, attribute and area limit of " + name);
-    const Point at{line.coordinate(1, "x of " + name), line.coordinate(2, "y of " + name)};
-    const double attribute = line.number(3, "the attribute of " + name);
-    const double area = line.fields() > 4 ? line.number(4, "the area limit of " + name) : -1;
+    const Record own{"region", line.integer(0, "the number of the region")};
+    line.expect_fields(4, 5, {"number, x, y, attribute and area limit of ", own});
+    const Point at{line.coordinate(1, {"x of ", own}), line.coordinate(2, {"y of ", own})};
+    const double attribute = line.number(3, {"the attribute of ", own});
+    const double area = line.fields() > 4 ? line.number(4, {"the area limit of ", own}) : -1;
     const double limit = area > 0 ? area : std::numeric_limits<double>::infinity();
     seeds.push_back({at, table.surface(attribute, limit)});
   }
@@ -231,16 +231,15 @@ void read_triangles(LineReader& line, const Vertices& vertices, EntityTable& tab
   const std::size_t attributes = line.fields() > 2 ? line.count(2, "attributes", 1) : 0;
   soup.triangles.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    line.need("a triangle (" + std::to_string(i) + " of " + std::to_string(count) + " are there)");
-    const std::int64_t number = vertices.base + static_cast<std::int64_t>(i);
-    check_number(line, "triangle", number);
-    const std::string name = numbered("triangle", number);
+    if (!line.next()) line.ends_before(next_of("a triangle", i, count));
+    const Record own{"triangle", vertices.base + static_cast<std::int64_t>(i)};
+    check_number(line, line.integer(0, "the number of the triangle"), own);
     line.expect_fields(4 + attributes, 4 + attributes,
-                       "the number, three vertices and attributes of " + name);
-    soup.triangles.push_back({vertex(line, 1, vertices, name), vertex(line, 2, vertices, name),
-                              vertex(line, 3, vertices, name)});
+                       {"the number, three vertices and attributes of ", own});
+    soup.triangles.push_back({vertex(line, 1, vertices, own), vertex(line, 2, vertices, own),
+                              vertex(line, 3, vertices, own)});
     for (std::size_t k = 0; k < attributes; ++k) {
-      const double attribute = line.number(4 + k, "an attribute of " + name);
+      const double attribute = line.number(4 + k, {"an attribute of ", own});
       if (k > 0) continue;
       soup.regions.push_back(table.surface(attribute, std::numeric_limits<double>::infinity()));
     }
