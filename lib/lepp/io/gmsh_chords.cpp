@@ -95,7 +95,8 @@ std::vector<Item> all_items(const std::vector<Polyline>& polylines,
                             std::span<const Point> isolated) {
   std::vector<Item> items;
   for (std::size_t i = 0; i < polylines.size(); ++i) {
-    const auto& [geometry, points] = polylines[i];
+    const auto& geometry = polylines[i].geometry;
+    const auto& points = polylines[i].points;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
       std::vector<Point> hull;
       std::visit([&](const auto& shape) { add_hull(shape, points[k].t, points[k + 1].t, hull); },

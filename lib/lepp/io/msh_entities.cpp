@@ -31,7 +31,7 @@ class Tags {
 
 std::vector<GroupId> unique(std::vector<GroupId> groups) {
   std::ranges::sort(groups);
-  groups.erase(std::ranges::unique(groups).begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
   return groups;
 }
 

@@ -46,9 +46,10 @@ class Grid {
   }
 
   void values(const std::vector<NamedValues>& lists, [[maybe_unused]] std::size_t n) {
-    for (const auto& [name, values] : lists) {
-      assert(values.size() == n);
-      array("Float64", name, values.size(), [&](std::size_t i) { return values[i]; });
+    for (const NamedValues& list : lists) {
+      assert(list.values.size() == n);
+      array("Float64", list.name, list.values.size(),
+            [&](std::size_t i) { return list.values[i]; });
     }
   }
 

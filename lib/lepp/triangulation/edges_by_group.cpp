@@ -31,8 +31,8 @@ GroupedEdges edges_by_group(const Mesh& mesh) {
     }
   }
   std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);  // two curves of one group share the edge
-  pairs.erase(repeated.begin(), repeated.end());
+  // Two curves of one group may share the edge.
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
   GroupedEdges grouped;
   grouped.begin_.assign(mesh.entities().groups.size() + 1, 0);
