@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <optional>
@@ -19,8 +18,6 @@ namespace lepp {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
 std::string remedy_for(int error) {
   switch (error) {
@@ -79,8 +76,9 @@ void sync_folder(const fs::path& file) {
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& target)
-    : name_(target.string()), target_(follow_links(target)) {
-  buffer_.reserve(buffer_size + 4096);
+    : name_(target.string()),
+      target_(follow_links(target)),
+      buffer_(std::make_unique_for_overwrite<char[]>(buffer_size)) {
   const auto status = status_of(target_);
   if (target_.filename().empty() || (status && S_ISDIR(status->st_mode))) fail("open", EISDIR);
   if (status && ::access(target_.c_str(), W_OK) != 0) fail("replace", errno);
@@ -118,34 +116,40 @@ void OutputFile::open_device() {
 }
 
 OutputFile& OutputFile::operator<<(std::string_view text) {
-  buffer_ += text;
-  if (buffer_.size() >= buffer_size) flush();
+  while (!text.empty()) {
+    const std::string_view part = text.substr(0, buffer_size);
+    part.copy(room_for(part.size()), part.size());
+    used_ += part.size();
+    text.remove_prefix(part.size());
+  }
   return *this;
 }
 
 OutputFile& OutputFile::operator<<(double number) {
-  std::array<char, 32> text;  // the longest double has 24 characters
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  return *this << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
+  constexpr std::size_t longest = 32;  // the longest double has 24 characters
+  char* const start = room_for(longest);
+  used_ += static_cast<std::size_t>(std::to_chars(start, start + longest, number).ptr - start);
+  return *this;
 }
 
 OutputFile& OutputFile::fixed(double number, int decimals) {
-  std::array<char, 400> text;  // 1e308 has 309 digits
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
-                                 std::chars_format::fixed, decimals)
-                       .ptr;
-  return *this << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
+  constexpr std::size_t longest = 400;  // 1e308 has 309 digits
+  char* const start = room_for(longest);
+  const auto end =
+      std::to_chars(start, start + longest, number, std::chars_format::fixed, decimals).ptr;
+  used_ += static_cast<std::size_t>(end - start);
+  return *this;
 }
 
 void OutputFile::flush() {
   std::size_t done = 0;
-  while (done < buffer_.size()) {
-    const ssize_t n = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+  while (done < used_) {
+    const ssize_t n = ::write(descriptor_, buffer_.get() + done, used_ - done);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) fail("write", errno);
     done += static_cast<std::size_t>(n);
   }
-  buffer_.clear();
+  used_ = 0;
 }
 
 void OutputFile::close() {

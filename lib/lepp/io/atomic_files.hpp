@@ -1,6 +1,8 @@
 #pragma once
 
+#include <charconv>
 #include <concepts>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -20,10 +22,17 @@ class OutputFile {
 
   /// \throw OutputError  when the buffer cannot be written: disk full, size limit, ...
   OutputFile& operator<<(std::string_view text);
-  OutputFile& operator<<(char c) { return *this << std::string_view(&c, 1); }
+  OutputFile& operator<<(char c) {
+    *room_for(1) = c;
+    ++used_;
+    return *this;
+  }
   OutputFile& operator<<(double number);
   OutputFile& operator<<(std::integral auto number) {
-    return *this << std::string_view(std::to_string(number));
+    char* const start = room_for(longest_integer);
+    used_ +=
+        static_cast<std::size_t>(std::to_chars(start, start + longest_integer, number).ptr - start);
+    return *this;
   }
   /// A number with `decimals` digits after the point, for pictures.
   OutputFile& fixed(double number, int decimals);
@@ -35,6 +44,11 @@ class OutputFile {
   void open_temporary();
   void open_device();
   void flush();
+  // Where to put up to `size` characters, size <= buffer_size.
+  char* room_for(std::size_t size) {
+    if (buffer_size - used_ < size) flush();
+    return buffer_.get() + used_;
+  }
   void close();        // flush, fsync, close
   void keep_old();     // gives the old file a second name
   void rename();       // temporary to target
@@ -45,7 +59,10 @@ class OutputFile {
   std::string name_;              // as the caller wrote it, for messages
   std::filesystem::path target_;  // symbolic links resolved
   std::filesystem::path temporary_, old_;
-  std::string buffer_;
+  static constexpr std::size_t buffer_size = std::size_t{1} << 20;
+  static constexpr std::size_t longest_integer = 20;  // -9223372036854775808
+  std::unique_ptr<char[]> buffer_;
+  std::size_t used_ = 0;  // of the buffer
   int descriptor_ = -1;
 };
 

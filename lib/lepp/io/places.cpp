@@ -2,24 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <utility>
 
 #include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/io/boundary_loops.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
-#include "lepp/triangulation/dual_graph.hpp"
 
 namespace lepp {
 
 namespace {
 
-// The smallest height of a triangle: how far its centroid is from its sides, times three.
-double width(const Mesh& mesh, TriangleId t) {
+// The square of the smallest height of a triangle: how far its centroid is from its sides, times
+// three.
+double squared_width(const Mesh& mesh, TriangleId t) {
   const auto [a, b, c] = mesh.corners(t);
   const double longest =
       std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
-  return 2 * signed_area(a, b, c) / std::sqrt(longest);
+  const double twice_area = 2 * signed_area(a, b, c);
+  return twice_area * twice_area / longest;
 }
 
 Point centroid(const Mesh& mesh, TriangleId t) {
@@ -27,81 +27,112 @@ Point centroid(const Mesh& mesh, TriangleId t) {
   return a + (1.0 / 3) * ((b - a) + (c - a));  // differences first: safe far from the origin
 }
 
-// The widest triangle of each part.
-std::vector<TriangleId> widest(const Mesh& mesh, const std::vector<std::uint32_t>& part_of) {
-  std::vector<TriangleId> best;
-  std::vector<double> best_width;
-  for (std::size_t i = 0; i < part_of.size(); ++i) {
-    const TriangleId t(i);
-    const double w = width(mesh, t);
-    if (part_of[i] == best.size()) {
-      best.push_back(t);
-      best_width.push_back(w);
-    } else if (w > best_width[part_of[i]]) {
-      best[part_of[i]] = t;
-      best_width[part_of[i]] = w;
-    }
-  }
-  return best;
-}
+// Triangles that are joined without crossing a constrained edge.
+struct Part {
+  TriangleId widest;
+  double squared_width = -1;
+  bool is_hole = false;
+};
 
-using Side = std::pair<Point, Point>;
-
-// The boundary edges of a mesh, the mesh on their left.
-std::set<Side> boundary_sides(const Mesh& mesh) {
-  std::set<Side> sides;
+// The parts of a mesh in the order of their first triangles. visit(part, triangle) sees all.
+template <class Visit>
+std::vector<Part> parts_of(const Mesh& mesh, Visit visit) {
+  std::vector<Part> parts;
+  std::vector<bool> reached(mesh.triangle_count(), false);
+  std::vector<TriangleId> open;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      if (!mesh.is_boundary(e)) continue;
-      sides.emplace(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)));
+    if (reached[i]) continue;
+    Part& part = parts.emplace_back();
+    reached[i] = true;
+    open.emplace_back(i);
+    while (!open.empty()) {  // ends: each triangle is reached once
+      const TriangleId t = open.back();
+      open.pop_back();
+      visit(part, t);
+      const double width = squared_width(mesh, t);
+      if (width > part.squared_width) part = {t, width, part.is_hole};
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        if (mesh.is_constrained({t, k})) continue;
+        const auto across = mesh.twin({t, k});
+        if (!across || reached[across->triangle.index()]) continue;
+        reached[across->triangle.index()] = true;
+        open.push_back(across->triangle);
+      }
     }
   }
-  return sides;
+  return parts;
 }
 
-Pslg pslg_of(const std::set<Side>& sides) {
+using Side = std::pair<Point, Point>;  // a boundary edge, the mesh on its left
+
+Pslg pslg_of(const std::vector<Side>& sides) {
   Pslg pslg;
-  std::map<Point, VertexId> vertex_at;
+  for (const auto& [a, b] : sides) pslg.points.insert(pslg.points.end(), {a, b});
+  std::ranges::sort(pslg.points);
+  pslg.points.erase(std::unique(pslg.points.begin(), pslg.points.end()), pslg.points.end());
   const auto vertex = [&](Point p) {
-    const auto [known, is_new] = vertex_at.try_emplace(p, pslg.points.size());
-    if (is_new) pslg.points.push_back(p);
-    return known->second;
+    const auto found = std::ranges::lower_bound(pslg.points, p);
+    return VertexId(static_cast<std::size_t>(found - pslg.points.begin()));
   };
-  for (const auto& [a, b] : sides) {
-    const VertexId from = vertex(a), to = vertex(b);
-    pslg.segments.push_back({from, to, {}, 0, 1});
-  }
+  for (const auto& [a, b] : sides) pslg.segments.push_back({vertex(a), vertex(b), {}, 0, 1});
   return pslg;
+}
+
+// The holes that `sides` close off, found by triangulating them alone: a part with the mesh beyond
+// one of its constrained edges is a hole.
+void add_by_triangulating(std::vector<Side> sides, std::vector<Point>& holes) {
+  std::ranges::sort(sides);
+  const Mesh filled = constrained_delaunay(pslg_of(sides)).mesh;
+  const auto parts = parts_of(filled, [&](Part& part, TriangleId t) {
+    for (std::uint32_t k = 0; k < 3 && !part.is_hole; ++k) {
+      const HalfEdge e{t, k};
+      if (!filled.is_constrained(e)) continue;
+      const Point a = filled.point(filled.origin(e)), b = filled.point(filled.destination(e));
+      part.is_hole = std::ranges::binary_search(sides, Side(b, a));
+    }
+  });
+  for (const Part& part : parts) {
+    if (part.is_hole) holes.push_back(centroid(filled, part.widest));
+  }
+}
+
+void append_sides(const Mesh& mesh, const BoundaryLoop& loop, std::vector<Side>& sides) {
+  for (const HalfEdge e : loop.sides) {
+    sides.emplace_back(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)));
+  }
 }
 
 }  // namespace
 
 std::vector<Place> places_of_parts(const Mesh& mesh) {
   std::vector<Place> places;
-  for (const TriangleId t : widest(mesh, dual_components(mesh).of_triangle)) {
-    places.push_back({centroid(mesh, t), mesh.region(t)});
+  for (const Part& part : parts_of(mesh, [](Part&, TriangleId) {})) {
+    places.push_back({centroid(mesh, part.widest), mesh.region(part.widest)});
   }
   return places;
 }
 
 std::vector<Point> places_of_holes(const Mesh& mesh) {
-  const std::set<Side> sides = boundary_sides(mesh);
-  if (sides.empty()) return {};
-  const Mesh filled = constrained_delaunay(pslg_of(sides)).mesh;
-  const auto part_of = dual_components(filled).of_triangle;
-  const auto best = widest(filled, part_of);
-  std::vector<bool> is_hole(best.size(), false);
-  for (std::size_t i = 0; i < part_of.size(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {  // a side with the mesh beyond it: this is a hole
-      const HalfEdge e{TriangleId(i), k};
-      const Point a = filled.point(filled.origin(e)), b = filled.point(filled.destination(e));
-      if (filled.is_constrained(e) && sides.contains({b, a})) is_hole[part_of[i]] = true;
-    }
-  }
+  const std::vector<BoundaryLoop> loops = boundary_loops(mesh);
+  const auto around_mesh = std::ranges::count_if(loops, [](const auto& l) { return l.area > 0; });
+  const bool is_clear = std::ranges::all_of(
+      loops, [](const BoundaryLoop& l) { return std::abs(l.area) > l.uncertainty; });
   std::vector<Point> holes;
-  for (std::size_t part = 0; part < best.size(); ++part) {
-    if (is_hole[part]) holes.push_back(centroid(filled, best[part]));
+  std::vector<Side> sides;
+  if (around_mesh > 1 || !is_clear) {  // islands may lie in holes, so all loops count at once
+    for (const BoundaryLoop& loop : loops) append_sides(mesh, loop, sides);
+    add_by_triangulating(std::move(sides), holes);
+    return holes;
+  }
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.area > 0) continue;
+    if (const auto centroid = centroid_inside(mesh, loop)) {
+      holes.push_back(*centroid);
+    } else {
+      sides.clear();
+      append_sides(mesh, loop, sides);
+      add_by_triangulating(sides, holes);
+    }
   }
   return holes;
 }

@@ -16,7 +16,9 @@ struct Place {
 std::vector<Place> places_of_parts(const Mesh& mesh);
 
 /// A point well inside each hole: an area without mesh that boundary edges close off.
-/// Found by triangulating the boundary edges alone. Cost O(n + b log b), b boundary edges.
+/// The centroid of the hole where that lies well inside; elsewhere, and where a hole may hold
+/// islands, found by triangulating boundary edges alone.
+/// Cost O(n), and O(b log b) for the b boundary edges that are triangulated.
 std::vector<Point> places_of_holes(const Mesh& mesh);
 
 }  // namespace lepp

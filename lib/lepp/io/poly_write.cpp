@@ -1,6 +1,7 @@
 #include <cmath>
 #include <string>
 
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/places.hpp"
 #include "lepp/io/poly.hpp"
@@ -94,12 +95,18 @@ class Sections {
   }
 
   void triangles(const Mesh& mesh) {
+    std::vector<std::string> endings;  // of a line, by region: few regions, many triangles
+    for (std::size_t s = 0; s < mesh.entities().surfaces.size(); ++s) {
+      endings.push_back(" " + to_text(attribute_of(mesh.entities(), SurfaceId(s))) + "\n");
+    }
     out_ << mesh.triangle_count() << " 3 1\n";
     for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
       const TriangleId t(i);
       out_ << number(i);
       for (const VertexId v : mesh.vertices(t)) out_ << ' ' << number(v.index());
-      out_ << ' ' << attribute_of(mesh.entities(), mesh.region(t)) << '\n';
+      const std::size_t region = mesh.region(t).index();
+      if (region < endings.size()) out_ << endings[region];
+      else out_ << ' ' << attribute_of(mesh.entities(), mesh.region(t)) << '\n';
     }
   }
 

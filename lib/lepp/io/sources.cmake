@@ -1,6 +1,7 @@
 # lepp::io, files in and out. fmt and nlohmann-json are header-only here, so nothing is left to link.
 add_library(lepp_io
   lepp/io/atomic_files.cpp
+  lepp/io/boundary_loops.cpp
   lepp/io/entity_table.cpp
   lepp/io/geo.cpp
   lepp/io/gmsh_chords.cpp

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
-#include <tuple>
+#include <span>
+#include <utility>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/text.hpp"
+#include "lepp/triangulation/half_edges_by_origin.hpp"
 
 namespace lepp {
 
@@ -91,9 +92,7 @@ class Validator {
   }
 
   void check_neighbours() {
-    std::vector<std::tuple<VertexId, VertexId, HalfEdge>> sides;
     for_each_half_edge([&](HalfEdge e) {
-      sides.emplace_back(mesh_.origin(e), mesh_.destination(e), e);
       const auto f = mesh_.twin(e);
       if (!f) return;
       const bool in_range = f->triangle.index() < mesh_.triangle_count();
@@ -102,19 +101,22 @@ class Validator {
         broken("M3", name(e));
       }
     });
-    std::ranges::sort(sides);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      const auto& [a, b, e] = sides[i];
-      if (i > 0 && std::get<0>(sides[i - 1]) == a && std::get<1>(sides[i - 1]) == b) {
-        broken("M3", name(e) + " has two triangles on one side");
-      }
-      if (!mesh_.is_boundary(e)) continue;
-      const auto other = std::ranges::lower_bound(sides, std::tuple(b, a, HalfEdge{}));
-      if (other != sides.end() && std::get<0>(*other) == b && std::get<1>(*other) == a) {
+    check_sides();
+    check_fans();
+  }
+
+  // Every side of an edge once, and known to the triangle across.
+  void check_sides() {
+    const HalfEdgesByOrigin leaving(mesh_);
+    for (const HalfEdge e : leaving.repeated()) {
+      broken("M3", name(e) + " has two triangles on one side");
+    }
+    for_each_half_edge([&](HalfEdge e) {
+      if (!mesh_.is_boundary(e)) return;
+      if (leaving.has(mesh_.destination(e), mesh_.origin(e))) {
         broken("M3", name(e) + " has a triangle across that it does not know");
       }
-    }
-    check_fans();
+    });
   }
 
   void check_fans() {
@@ -139,44 +141,76 @@ class Validator {
     });
   }
 
-  // The edges that name a segment as owner must form one path between its ends.
+  // The edges that name a segment as owner must form one path between its ends. Most segments are
+  // one edge: those are settled on the spot, and only the edges of the others are collected.
   void check_segments() {
-    std::vector<std::vector<std::pair<VertexId, VertexId>>> edges(mesh_.segments().size());
+    const auto& segments = mesh_.segments();
+    std::vector<std::uint8_t> is_one_edge(segments.size(), 0), has_others(segments.size(), 0);
+    for_each_constrained_edge([&](HalfEdge e, const std::optional<ConstrainedEdge>& record) {
+      if (!record) {
+        broken("M5", name(e) + " has no record");
+        return;
+      }
+      for (const SegmentId s : mesh_.segments_of(record->segments)) {
+        const Segment& segment = segments[s.index()];
+        const VertexId a = mesh_.origin(e), b = mesh_.destination(e);
+        const bool whole = (a == segment.a && b == segment.b) || (a == segment.b && b == segment.a);
+        (whole ? is_one_edge : has_others)[s.index()] = 1;
+      }
+    });
+    std::vector<OwnedEdge> pieces;
+    for_each_constrained_edge([&](HalfEdge e, const std::optional<ConstrainedEdge>& record) {
+      if (!record) return;
+      for (const SegmentId s : mesh_.segments_of(record->segments)) {
+        if (has_others[s.index()] != 0) {
+          pieces.push_back({s, mesh_.origin(e), mesh_.destination(e)});
+        }
+      }
+    });
+    std::ranges::sort(pieces, {}, &OwnedEdge::segment);
+    auto first = pieces.begin();
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      auto last = first;
+      while (last != pieces.end() && last->segment == SegmentId(s)) ++last;
+      const bool whole = is_one_edge[s] != 0 && has_others[s] == 0;
+      if (!whole && !is_chain({first, last}, segments[s].a, segments[s].b)) {
+        broken("M5", "segment " + std::to_string(s) + " from " +
+                         to_text(mesh_.point(segments[s].a)) + " to " +
+                         to_text(mesh_.point(segments[s].b)));
+      }
+      first = last;
+    }
+  }
+
+  // Each constrained edge once, with its record, if it has one.
+  template <class Visit>
+  void for_each_constrained_edge(Visit visit) const {
     for_each_half_edge([&](HalfEdge e) {
       if (!mesh_.is_constrained(e)) return;
       const auto f = mesh_.twin(e);
       if (f && *f < e) return;
-      if (!mesh_.find_record(mesh_.origin(e), mesh_.destination(e))) {
-        broken("M5", name(e) + " has no record");
-        return;
-      }
-      for (const SegmentId s : mesh_.segments_of(e)) {
-        edges[s.index()].emplace_back(mesh_.origin(e), mesh_.destination(e));
-      }
+      visit(e, mesh_.find_record(mesh_.origin(e), mesh_.destination(e)));
     });
-    for (std::size_t s = 0; s < edges.size(); ++s) {
-      const Segment& segment = mesh_.segments()[s];
-      if (!is_chain(edges[s], segment.a, segment.b)) {
-        broken("M5", "segment " + std::to_string(s) + " from " + to_text(mesh_.point(segment.a)) +
-                         " to " + to_text(mesh_.point(segment.b)));
-      }
-    }
   }
 
-  static bool is_chain(const std::vector<std::pair<VertexId, VertexId>>& edges, VertexId from,
-                       VertexId to) {
-    std::multimap<VertexId, VertexId> links;
-    for (const auto& [a, b] : edges) {
-      links.emplace(a, b);
-      links.emplace(b, a);
-    }
+  struct OwnedEdge {
+    SegmentId segment;
+    VertexId a, b;
+  };
+
+  // Walks from `from` to `to` over all of `edges`, each once.
+  static bool is_chain(std::span<const OwnedEdge> edges, VertexId from, VertexId to) {
+    using Link = std::pair<VertexId, VertexId>;
+    std::vector<Link> links;
+    for (const OwnedEdge& e : edges) links.insert(links.end(), {{e.a, e.b}, {e.b, e.a}});
+    std::ranges::sort(links);
     VertexId at = from, before = from;
     std::size_t steps = 0;
     while (steps < edges.size() && (at != to || steps == 0)) {
-      const auto [first, last] = links.equal_range(at);
-      auto next = first;
-      if (next != last && next->second == before && steps > 0) ++next;
-      if (next == last) return false;
+      auto next = std::ranges::lower_bound(links, at, {}, &Link::first);
+      const auto leads_on = [&] { return next != links.end() && next->first == at; };
+      if (leads_on() && next->second == before && steps > 0) ++next;
+      if (!leads_on()) return false;
       before = at;
       at = next->second;
       ++steps;
