@@ -125,6 +125,8 @@ void add_mesh_command(CLI::App& app, int& status) {
   add_gmsh_options(mesh, command->gmsh);
   mesh.add_flag("--split-crossings", command->split_crossings,
                 "give crossing segments a common point instead of refusing them");
+  mesh.add_flag("--certify", command->mesh.certify,
+                "certify the Voronoi boxes even with --min-angle 0 --no-nonobtuse");
   mesh.add_flag("--remesh", command->mesh.remesh,
                 "of a mesh keep only outline, interfaces and lines, and start anew");
   mesh.add_flag("--allow-unfinished", command->allow_unfinished,

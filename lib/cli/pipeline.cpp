@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "interrupt.hpp"
 #include "lepp/nonobtuse/nonobtuse.hpp"
@@ -28,14 +29,18 @@ class Pipeline {
 
   Meshed run() {
     report_.warnings = input_.warnings;
-    report_.seconds.triangulate = timed([&] { triangulate(); });
+    triangulate();
     note_stage("triangulate", mesh_.vertex_count());
     report_.input_vertices = mesh_.vertex_count();
-    Progress progress;
-    RefineOptions refine_options = options_.refine;
-    refine_options.progress = [&](std::size_t vertices) { return progress(vertices); };
-    report_.seconds.refine = timed([&] { raise_angles(refine_options); });
-    note_stage("refine", report_.input_vertices);
+    if (asks_for_refinement()) {
+      Progress progress;
+      RefineOptions refine_options = options_.refine;
+      refine_options.progress = [&](std::size_t vertices) { return progress(vertices); };
+      report_.seconds.refine = timed([&] { raise_angles(refine_options); });
+      note_stage("refine", report_.input_vertices);
+    } else {
+      refined_.goal_reached = true;
+    }
     if (options_.method == Method::paper && options_.nonobtuse && !interrupted()) {
       const std::size_t before = mesh_.vertex_count();
       report_.seconds.nonobtuse = timed([&] { remove_obtuse_angles(); });
@@ -46,15 +51,25 @@ class Pipeline {
   }
 
  private:
+  bool asks_for_angles() const { return options_.refine.min_angle_deg > 0 || options_.nonobtuse; }
+  bool asks_for_refinement() const {
+    const auto has_limit = [](const SurfaceEntity& s) { return std::isfinite(s.max_area); };
+    return asks_for_angles() || std::isfinite(options_.refine.max_edge) ||
+           std::isfinite(options_.refine.max_area) ||
+           std::ranges::any_of(mesh_.entities().surfaces, has_limit);
+  }
   bool is_improvement() const { return input_.triangles && !options_.remesh; }
 
   void triangulate() {
     Triangulation made;
     if (is_improvement()) {
-      made = mesh_from_triangles(*input_.triangles);
-      make_delaunay(made.mesh);
+      report_.seconds.triangulate = timed([&] {
+        made = mesh_from_triangles(*input_.triangles);
+        make_delaunay(made.mesh);
+      });
     } else {
-      made = constrained_delaunay(input_.pslg, {options_.crossings});
+      report_.seconds.triangulate =
+          timed([&] { made = constrained_delaunay(input_.pslg, {options_.crossings}); });
     }
     mesh_ = std::move(made.mesh);
     const auto& found = made.report.warnings;
@@ -100,20 +115,28 @@ class Pipeline {
   }
 
   void note_stage(const std::string& name, std::size_t vertices_before) {
-    report_.stages.push_back({name, measure(mesh_), mesh_.vertex_count() - vertices_before});
+    StageFigures stage{name, {}, mesh_.vertex_count() - vertices_before};
+    report_.seconds.measure += timed([&] { stage.quality = measure(mesh_); });
+    report_.stages.push_back(std::move(stage));
   }
 
   void finish() {
-    Certificate certificate;
-    if (!interrupted()) report_.seconds.voronoi = timed([&] { certificate = certify(mesh_); });
+    certify_boxes();
     report_.seconds.check = timed([&] { check(); });
-    report_.quality = measure(mesh_);
+    report_.quality = report_.stages.back().quality;  // nothing has changed since
     report_.steiner_points = mesh_.vertex_count() - report_.input_vertices;
     report_.below_bound = count_reasons(refined_.unfinished);
     report_.goal_reached = refined_.goal_reached;
+    report_.seconds.measure += timed([&] { report_.groups = group_figures(mesh_); });
+  }
+
+  // A plain triangulation is not made for finite volumes: only asked for, it is certified.
+  void certify_boxes() {
+    if (!asks_for_angles() && !options_.certify) return;
+    Certificate certificate;
+    if (!interrupted()) report_.seconds.voronoi = timed([&] { certificate = certify(mesh_); });
     report_.admissible = certificate.admissible;
     report_.offending_edges = offending_edges(mesh_, certificate);
-    report_.groups = group_figures(mesh_);
   }
 
   void check() {

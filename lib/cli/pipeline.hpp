@@ -17,6 +17,7 @@ struct MeshOptions {
   RefineOptions refine;
   Method method = Method::unified;
   bool nonobtuse = true;
+  bool certify = false;  ///< the Voronoi boxes, even if no bound on angles is asked for
   bool remesh = false;  ///< of a mesh file keep only the outline, interfaces and lines
   Crossings crossings = Crossings::refuse;
 };

@@ -63,8 +63,9 @@ Json stages(const std::vector<StageFigures>& list) {
 Json seconds(const Seconds& s) {
   return {{"read", s.read},       {"triangulate", s.triangulate},
           {"refine", s.refine},   {"nonobtuse", s.nonobtuse},
-          {"voronoi", s.voronoi}, {"check", s.check},
-          {"write", s.write},     {"total", s.total}};
+          {"measure", s.measure}, {"voronoi", s.voronoi},
+          {"check", s.check},     {"write", s.write},
+          {"total", s.total}};
 }
 
 Json groups(const std::vector<GroupFigures>& list) {

@@ -23,8 +23,8 @@ struct StageFigures {
 
 /// Wall-clock time of each part of a run. Parts that did not run are 0.
 struct Seconds {
-  double read = 0, triangulate = 0, refine = 0, nonobtuse = 0, voronoi = 0, check = 0, write = 0,
-         total = 0;
+  double read = 0, triangulate = 0, refine = 0, nonobtuse = 0, measure = 0, voronoi = 0, check = 0,
+         write = 0, total = 0;
 };
 
 struct GroupFigures {

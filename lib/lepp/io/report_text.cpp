@@ -128,9 +128,9 @@ std::string costs(const RunReport& report) {
   std::string text;
   add_line(text, "seconds",
            fmt::format("{:.3f} (read {:.3f}, triangulate {:.3f}, refine {:.3f}, nonobtuse {:.3f}, "
-                       "voronoi {:.3f}, check {:.3f}, write {:.3f})",
-                       s.total, s.read, s.triangulate, s.refine, s.nonobtuse, s.voronoi, s.check,
-                       s.write));
+                       "measure {:.3f}, voronoi {:.3f}, check {:.3f}, write {:.3f})",
+                       s.total, s.read, s.triangulate, s.refine, s.nonobtuse, s.measure, s.voronoi,
+                       s.check, s.write));
   add_line(text, "peak memory",
            fmt::format("{:.1f} MB", static_cast<double>(report.peak_memory_bytes) / 1e6));
   return text;

@@ -1,7 +1,9 @@
 #include "lepp/triangulation/quality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "lepp/geometry/compensated_sum.hpp"
 #include "lepp/geometry/predicates.hpp"
@@ -18,6 +20,25 @@ void count(Quality::Count& counter, bool exact, bool tolerant) {
   counter.tolerant += tolerant;
 }
 
+using Corners = std::array<Point, 3>;
+
+double angle_deg(const Corners& p, std::uint32_t i) {
+  const Point u = p[next_corner(i)] - p[i], w = p[previous_corner(i)] - p[i];
+  return std::atan2(std::abs(cross(u, w)), dot(u, w)) * (180 / std::numbers::pi);
+}
+
+struct Obtuse {
+  bool exact = false, tolerant = false;
+};
+
+Obtuse obtuse_at(const Corners& p, std::uint32_t i) {
+  static const double tangent = std::tan(forgiven_deg * (std::numbers::pi / 180));
+  const Point a = p[next_corner(i)], b = p[previous_corner(i)];
+  if (!is_obtuse(a, p[i], b)) return {};
+  const Point u = a - p[i], w = b - p[i];
+  return {true, -dot(u, w) > tangent * std::abs(cross(u, w))};
+}
+
 // One pass over triangles and edges.
 class Measurer {
  public:
@@ -27,8 +48,8 @@ class Measurer {
 
  private:
   void measure_triangle(TriangleId t);
-  void measure_obtuse(HalfEdge e, bool exact, bool tolerant);
-  void measure_delaunay(HalfEdge e, HalfEdge across, double angle_deg);
+  void measure_angles(const Corners& p);
+  void measure_delaunay(const Corners& p, HalfEdge e, HalfEdge across);
 
   const Mesh& mesh_;
   Quality quality_;
@@ -50,38 +71,43 @@ Quality Measurer::measure() {
 }
 
 void Measurer::measure_triangle(TriangleId t) {
-  const auto p = mesh_.corners(t);
-  const auto angles = angles_deg(p[0], p[1], p[2]);
-  const auto [smallest, largest] = std::ranges::minmax(angles);
+  const Corners p = mesh_.corners(t);
+  measure_angles(p);
+  Obtuse triangle;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge e{t, i};
+    const Obtuse here = obtuse_at(p, i);
+    triangle.exact |= here.exact;
+    triangle.tolerant |= here.tolerant;
+    if (mesh_.is_constrained(e)) count(quality_.obtuse_constrained, here.exact, here.tolerant);
+    const auto across = mesh_.twin(e);
+    if (!across) count(quality_.obtuse_boundary, here.exact, here.tolerant);
+    else if (e < *across) measure_delaunay(p, e, *across);
+  }
+  count(quality_.obtuse_triangles, triangle.exact, triangle.tolerant);
+}
+
+// The smallest angle is opposite the shortest side, the largest opposite the longest: two arc
+// tangents, not three.
+void Measurer::measure_angles(const Corners& p) {
+  const std::array<double, 3> opposite{squared_distance(p[1], p[2]), squared_distance(p[2], p[0]),
+                                       squared_distance(p[0], p[1])};
+  const auto [shortest, longest] = std::ranges::minmax_element(opposite);
+  const double smallest = angle_deg(p, static_cast<std::uint32_t>(shortest - opposite.begin()));
+  const double largest = angle_deg(p, static_cast<std::uint32_t>(longest - opposite.begin()));
   smallest_ = std::min(smallest_, smallest);
   largest_ = std::max(largest_, largest);
   smallest_sum_.add(smallest);
   largest_sum_.add(largest);
-  bool is_obtuse_triangle = false;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge e{t, i};
-    const bool exact = is_obtuse(p[next_corner(i)], p[i], p[previous_corner(i)]);
-    is_obtuse_triangle |= exact;
-    measure_obtuse(e, exact, angles[i] > 90 + forgiven_deg);
-    const auto across = mesh_.twin(e);
-    if (across && e < *across) measure_delaunay(e, *across, angles[i]);
-  }
-  count(quality_.obtuse_triangles, is_obtuse_triangle, largest > 90 + forgiven_deg);
 }
 
-void Measurer::measure_obtuse(HalfEdge e, bool exact, bool tolerant) {
-  if (mesh_.is_constrained(e)) count(quality_.obtuse_constrained, exact, tolerant);
-  if (mesh_.is_boundary(e)) count(quality_.obtuse_boundary, exact, tolerant);
-}
-
-void Measurer::measure_delaunay(HalfEdge e, HalfEdge across, double angle_deg) {
-  const auto [a, b, c] = mesh_.corners(e.triangle);
-  const auto q = mesh_.corners(across.triangle);
-  const double across_deg = angles_deg(q[0], q[1], q[2])[across.edge];
+void Measurer::measure_delaunay(const Corners& p, HalfEdge e, HalfEdge across) {
+  if (incircle(p[0], p[1], p[2], mesh_.point(mesh_.apex(across))) <= 0) return;
+  const double sum_deg =
+      angle_deg(p, e.edge) + angle_deg(mesh_.corners(across.triangle), across.edge);
   auto& counter =
       mesh_.is_constrained(e) ? quality_.non_delaunay_constrained : quality_.non_delaunay_edges;
-  count(counter, incircle(a, b, c, mesh_.point(mesh_.apex(across))) > 0,
-        angle_deg + across_deg > 180 + forgiven_deg);
+  count(counter, true, sum_deg > 180 + forgiven_deg);
 }
 
 // So that an edge is visited once: from the side whose triangle comes first.
@@ -101,8 +127,7 @@ void for_each_constrained_edge(const Mesh& mesh, Visit visit) {
 }
 
 double length(const Mesh& mesh, HalfEdge e) {
-  const Point d = mesh.point(mesh.destination(e)) - mesh.point(mesh.origin(e));
-  return std::hypot(d.x, d.y);
+  return std::sqrt(squared_distance(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e))));
 }
 
 double area(const Mesh& mesh, TriangleId t) {
@@ -123,7 +148,7 @@ void find_curves(const Mesh& mesh, HalfEdge e, std::vector<CurveId>& curves) {
     const auto curve = mesh.segments()[s.index()].curve;
     if (curve) curves.push_back(*curve);
   }
-  keep_distinct(curves);
+  if (curves.size() > 1) keep_distinct(curves);
 }
 
 std::vector<double> values_of(const std::vector<CompensatedSum>& sums) {
@@ -133,23 +158,27 @@ std::vector<double> values_of(const std::vector<CompensatedSum>& sums) {
   return values;
 }
 
+std::vector<double> areas_of_surfaces(const Mesh& mesh) {
+  std::vector<CompensatedSum> areas(mesh.entities().surfaces.size());
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const std::size_t region = mesh.region(TriangleId(t)).index();
+    if (region < areas.size()) areas[region].add(area(mesh, TriangleId(t)));
+  }
+  return values_of(areas);
+}
+
 }  // namespace
 
 Quality measure(const Mesh& mesh) { return Measurer(mesh).measure(); }
 
 EntityMeasures measure_entities(const Mesh& mesh) {
   std::vector<CompensatedSum> lengths(mesh.entities().curves.size());
-  std::vector<CompensatedSum> areas(mesh.entities().surfaces.size());
   std::vector<CurveId> curves;
   for_each_constrained_edge(mesh, [&](HalfEdge e) {
     find_curves(mesh, e, curves);
     for (const CurveId curve : curves) lengths[curve.index()].add(length(mesh, e));
   });
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const std::size_t region = mesh.region(TriangleId(t)).index();
-    if (region < areas.size()) areas[region].add(area(mesh, TriangleId(t)));
-  }
-  return {values_of(lengths), values_of(areas)};
+  return {values_of(lengths), areas_of_surfaces(mesh)};
 }
 
 std::vector<double> measure_groups(const Mesh& mesh) {
@@ -158,6 +187,7 @@ std::vector<double> measure_groups(const Mesh& mesh) {
   for (const PointEntity& point : entities.points) {
     for (const GroupId group : point.groups) measures[group.index()].add(1);
   }
+  if (measures.empty()) return {};
   std::vector<CurveId> curves;
   std::vector<GroupId> groups;
   for_each_constrained_edge(mesh, [&](HalfEdge e) {
@@ -167,10 +197,10 @@ std::vector<double> measure_groups(const Mesh& mesh) {
       const auto& of_curve = entities[curve].groups;
       groups.insert(groups.end(), of_curve.begin(), of_curve.end());
     }
-    keep_distinct(groups);
+    if (groups.size() > 1) keep_distinct(groups);
     for (const GroupId group : groups) measures[group.index()].add(length(mesh, e));
   });
-  const std::vector<double> areas = measure_entities(mesh).surface_areas;
+  const std::vector<double> areas = areas_of_surfaces(mesh);
   for (std::size_t s = 0; s < areas.size(); ++s) {
     for (const GroupId group : entities.surfaces[s].groups) measures[group.index()].add(areas[s]);
   }
