@@ -135,7 +135,8 @@ class Validator {
       if (f && e < *f && mesh_.is_constrained(e) != mesh_.is_constrained(*f)) {
         broken("M4", name(e) + " is constrained on one side only");
       }
-      if (f && e < *f && mesh_.separates_regions(e) && !mesh_.is_constrained(e)) {
+      if (f && e < *f && mesh_.region(e.triangle) != mesh_.region(f->triangle) &&
+          !mesh_.is_constrained(e)) {
         broken("M4", name(e) + " separates regions, not constrained");
       }
     });
@@ -159,14 +160,14 @@ class Validator {
       }
     });
     std::vector<OwnedEdge> pieces;
-    for_each_constrained_edge([&](HalfEdge e, const std::optional<ConstrainedEdge>& record) {
+    const auto cut = [&](SegmentId s) { return has_others[s.index()] != 0; };
+    const auto collect = [&](HalfEdge e, const std::optional<ConstrainedEdge>& record) {
       if (!record) return;
       for (const SegmentId s : mesh_.segments_of(record->segments)) {
-        if (has_others[s.index()] != 0) {
-          pieces.push_back({s, mesh_.origin(e), mesh_.destination(e)});
-        }
+        if (cut(s)) pieces.push_back({s, mesh_.origin(e), mesh_.destination(e)});
       }
-    });
+    };
+    if (std::ranges::find(has_others, 1) != has_others.end()) for_each_constrained_edge(collect);
     std::ranges::sort(pieces, {}, &OwnedEdge::segment);
     auto first = pieces.begin();
     for (std::size_t s = 0; s < segments.size(); ++s) {

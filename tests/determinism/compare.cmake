@@ -1,0 +1,27 @@
+# PROGRAMS must all print the same; INPUTS are .poly files for them, FOLDER is where they write.
+
+set(expected)
+foreach(program ${PROGRAMS})
+  string(MD5 place ${program})
+  execute_process(COMMAND ${program} ${FOLDER}/${place} ${INPUTS}
+    OUTPUT_VARIABLE printed ERROR_VARIABLE printed RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${program} failed (${status}):\n${printed}")
+  endif()
+  string(REGEX MATCHALL "[^\n]+" lines "${printed}")
+  list(LENGTH lines count)
+  message(STATUS "${program}: ${count} lines")
+  if(NOT expected)
+    set(expected "${lines}")
+    set(first ${program})
+    if(count LESS 300)  # nine or more per input
+      message(FATAL_ERROR "too few lines: inputs are missing")
+    endif()
+    continue()
+  endif()
+  foreach(one other IN ZIP_LISTS expected lines)
+    if(NOT "${one}" STREQUAL "${other}")
+      message(FATAL_ERROR "not the same:\n${first}: ${one}\n${program}: ${other}")
+    endif()
+  endforeach()
+endforeach()
