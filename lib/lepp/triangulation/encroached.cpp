@@ -1,6 +1,7 @@
 #include "lepp/triangulation/encroached.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "lepp/geometry/predicates.hpp"
 
@@ -24,6 +25,13 @@ std::vector<HalfEdge> edges_encroached_by(const Mesh& mesh, TriangleId t, Point 
   // The cavity of p: triangles whose circumcircle holds p, reached without crossing a constrained
   // edge. Its rim edges and p make the triangles that the insertion leaves.
   std::vector<TriangleId> cavity{t};
+  std::unordered_set<TriangleId> known;  // the cavity, once it is large
+  const auto is_in_cavity = [&](TriangleId next) {
+    constexpr std::size_t few = 32;
+    if (cavity.size() <= few) return std::ranges::find(cavity, next) != cavity.end();
+    if (known.empty()) known.insert(cavity.begin(), cavity.end());
+    return known.contains(next);
+  };
   std::vector<HalfEdge> encroached;
   for (std::size_t i = 0; i < cavity.size(); ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -33,9 +41,11 @@ std::vector<HalfEdge> edges_encroached_by(const Mesh& mesh, TriangleId t, Point 
         continue;
       }
       const TriangleId next = mesh.twin(e)->triangle;
-      if (std::ranges::find(cavity, next) != cavity.end()) continue;
+      if (is_in_cavity(next)) continue;
       const auto [a, b, c] = mesh.corners(next);
-      if (incircle(a, b, c, p) > 0) cavity.push_back(next);
+      if (incircle(a, b, c, p) <= 0) continue;
+      cavity.push_back(next);
+      if (!known.empty()) known.insert(next);
     }
   }
   return encroached;

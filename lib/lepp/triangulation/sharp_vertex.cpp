@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
@@ -152,12 +153,11 @@ Fan fan_at(const Mesh& mesh, HalfEdge edge, VertexId center) {
   Fan fan{center, walk.clockwise(edge)};
   std::ranges::reverse(fan.edges);
   fan.edges.push_back(edge);
-  const auto beyond = walk.counter_clockwise(edge);
-  for (const HalfEdge e : beyond) {  // a full circle of wedges meets its other end
-    const VertexId end = other_end(mesh, e, center);
-    const bool known = std::ranges::any_of(
-        fan.edges, [&](HalfEdge f) { return other_end(mesh, f, center) == end; });
-    if (!known) fan.edges.push_back(e);
+  std::unordered_set<VertexId> known;  // only asked, never walked through
+  for (const HalfEdge e : fan.edges) known.insert(other_end(mesh, e, center));
+  for (const HalfEdge e : walk.counter_clockwise(edge)) {
+    // A full circle of wedges meets its other end.
+    if (known.insert(other_end(mesh, e, center)).second) fan.edges.push_back(e);
   }
   if (fan.edges.size() == 1) return {center, {}};
   return fan;

@@ -57,32 +57,39 @@ double fan_radius(const Mesh& mesh, const Fan& fan, double wanted) {
   return one_point ? shortest : shortest / 2;
 }
 
-// The half-edge between the center of a fan and its neighbour `v`, a vertex just inserted.
-HalfEdge edge_to_center(const Mesh& mesh, VertexId v, VertexId center) {
-  return *mesh.find_edge(v, center);
+enum class Turn { clockwise, counter_clockwise };
+
+// The constrained edge that comes after constrained edge `e` around `center`, through the domain.
+HalfEdge next_constrained(const Mesh& mesh, HalfEdge e, VertexId center, Turn turn) {
+  const auto step = turn == Turn::clockwise ? next_edge : previous_edge;
+  const bool arrives = mesh.destination(e) == center;
+  HalfEdge here = arrives == (turn == Turn::clockwise) ? e : *mesh.twin(e);
+  while (!mesh.is_constrained(step(here))) here = *mesh.twin(step(here));
+  return step(here);
 }
 
+// Cutting an edge leaves the others of the fan constrained and in their order, so each is found
+// from the one before it, on either side of the first that is cut.
 ConstrainedSplit split_fan(Mesh& mesh, HalfEdge e, const Fan& fan, double floor) {
   const VertexId center = fan.center;
   const double radius = fan_radius(mesh, fan, length(mesh, e));
+  const auto before = static_cast<std::size_t>(std::ranges::find(fan.edges, e) - fan.edges.begin());
   ConstrainedSplit all = split_at_distance(mesh, e, center, radius, floor);
   if (all.vertices.empty()) return all;
-  HalfEdge here = edge_to_center(mesh, all.vertices.front(), center);
-  std::vector<VertexId> tried;
-  while (true) {  // each turn cuts or gives up on one more edge of the fan
-    const Fan now = fan_at(mesh, here, center);
-    const auto longer = std::ranges::find_if(now.edges, [&](HalfEdge f) {
-      const VertexId end = mesh.origin(f) == center ? mesh.destination(f) : mesh.origin(f);
-      return length(mesh, f) > radius * same_radius && std::ranges::find(tried, end) == tried.end();
-    });
-    if (longer == now.edges.end()) return all;
-    tried.push_back(mesh.origin(*longer) == center ? mesh.destination(*longer)
-                                                   : mesh.origin(*longer));
-    const ConstrainedSplit one = split_at_distance(mesh, *longer, center, radius, floor);
-    append(all, one);
-    if (!one.vertices.empty()) here = edge_to_center(mesh, one.vertices.front(), center);
-    else here = edge_to_center(mesh, all.vertices.front(), center);
-  }
+  const VertexId first = all.vertices.front();
+  const auto cut = [&](std::size_t edges, Turn turn) {
+    HalfEdge here = *mesh.find_edge(first, center);
+    for (; edges > 0; --edges) {
+      here = next_constrained(mesh, here, center, turn);
+      if (length(mesh, here) <= radius * same_radius) continue;
+      const ConstrainedSplit one = split_at_distance(mesh, here, center, radius, floor);
+      append(all, one);
+      if (!one.vertices.empty()) here = *mesh.find_edge(one.vertices.front(), center);
+    }
+  };
+  cut(before, Turn::clockwise);
+  cut(fan.edges.size() - before - 1, Turn::counter_clockwise);
+  return all;
 }
 
 }  // namespace
