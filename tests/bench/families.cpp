@@ -188,9 +188,9 @@ Pslg spiral(std::size_t points, std::uint64_t seed) {
   return pslg;
 }
 
-constexpr Family all[] = {{"square", square},         {"coast", coast}, {"holes", holes},
-                          {"interfaces", interfaces}, {"grid", grid},   {"circle", circle},
-                          {"comb", comb},             {"spiral", spiral}};
+constexpr Family all[] = {
+    {"square", square}, {"coast", coast},   {"holes", holes}, {"interfaces", interfaces},
+    {"grid", grid},     {"circle", circle}, {"comb", comb},   {"spiral", spiral}};
 
 }  // namespace
 
