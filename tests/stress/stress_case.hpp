@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lepp/geometry/pslg.hpp"
+
+namespace lepp::test {
+
+struct CaseReport {
+  std::optional<std::string> failure;
+  bool crosses = false;        ///< the oracle found crossing segments
+  bool refused_split = false;  ///< and the library would not split them
+  bool made_mesh = false;
+};
+
+/// Everything we can ask about one PSLG: both ways to treat crossings, all invariants; for one seed
+/// in 16 also the plain kernel, a second run, and the segments in another order.
+CaseReport run_case(const Pslg& pslg, std::uint64_t seed);
+
+}  // namespace lepp::test
