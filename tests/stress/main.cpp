@@ -111,7 +111,8 @@ class Stress {
     const Pslg pslg = generate_pslg(family, seed);
     mine.path = case_path(options_, family, seed);
     mine.pslg = &pslg;
-    const CaseReport report = run_case(pslg, seed);
+    const CaseReport report =
+        run_case(pslg, seed, options_.split ? Crossings::split : Crossings::refuse);
     totals_.meshes += report.made_mesh ? 1 : 0;
     totals_.crossing += report.crosses ? 1 : 0;
     totals_.refused_splits += report.refused_split ? 1 : 0;

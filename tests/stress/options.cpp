@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* usage =
     "usage: lepp_stress [--seed N] [--count N] [--seconds N] [--family NAME] [--threads N]\n"
-    "                   [--folder PATH] [--predicates] [--save]\n";
+    "                   [--folder PATH] [--refuse] [--predicates] [--save]\n";
 
 template <class Number>
 bool read(std::string_view text, Number& value) {
@@ -44,6 +44,8 @@ std::optional<StressOptions> parse_stress_options(int argc, char** argv) {
     const std::string_view name = argv[i];
     if (name == "--predicates") {
       options.predicates = true;
+    } else if (name == "--refuse") {
+      options.split = false;
     } else if (name == "--save") {
       options.save = true;
     } else if (i + 1 == argc || !read_value(name, argv[++i], options)) {

@@ -14,6 +14,7 @@ struct StressOptions {
   double seconds = 0;           ///< stop after them; 0 means never
   std::uint32_t threads = 2;
   std::optional<Family> family;  ///< one only; else all in turn
+  bool split = true;             ///< split crossings too, where there are any
   bool predicates = false;       ///< the predicates instead of PSLGs
   std::string folder = ".";      ///< where failing cases go
   bool save = false;             ///< write every case, failing or not

@@ -37,7 +37,7 @@ std::optional<std::string> compare(const Triangulation& result, const Pslg& pslg
 
 }  // namespace
 
-CaseReport run_case(const Pslg& pslg, std::uint64_t seed) {
+CaseReport run_case(const Pslg& pslg, std::uint64_t seed, Crossings crossings) {
   const Arrangement arrangement = arrange(pslg);
   CaseReport report;
   report.crosses = !arrangement.crossings.empty();
@@ -45,7 +45,8 @@ CaseReport run_case(const Pslg& pslg, std::uint64_t seed) {
   if (!trial.failure && trial.result && seed % 16 == 0) {
     trial.failure = compare(*trial.result, pslg, seed);
   }
-  if (!trial.failure && report.crosses) trial = try_pslg(pslg, arrangement, Crossings::split);
+  if (!trial.failure && report.crosses && crossings == Crossings::split)
+    trial = try_pslg(pslg, arrangement, Crossings::split);
   report.refused_split = trial.refused_split;
   report.made_mesh = trial.result.has_value();
   report.failure = std::move(trial.failure);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "lepp/geometry/pslg.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
 
 namespace lepp::test {
 
@@ -15,8 +15,9 @@ struct CaseReport {
   bool made_mesh = false;
 };
 
-/// Everything we can ask about one PSLG: both ways to treat crossings, all invariants; for one seed
+/// Everything we can ask about one PSLG: without and, where they cross,
+/// with splitting (unless `crossings` says refuse), all invariants; for one seed
 /// in 16 also the plain kernel, a second run, and the segments in another order.
-CaseReport run_case(const Pslg& pslg, std::uint64_t seed);
+CaseReport run_case(const Pslg& pslg, std::uint64_t seed, Crossings crossings);
 
 }  // namespace lepp::test

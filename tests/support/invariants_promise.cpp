@@ -143,15 +143,28 @@ class PromiseCheck {
 
   Broken broken_faces() {
     const std::size_t faces = parts_of(mesh_, JoinAcross::unconstrained_edges).count;
-    const std::size_t closed = std::max<std::size_t>(arrangement_.closed_faces(), 1);
+    const std::size_t closed = arrangement_.closed_faces(open_sides());
     if (faces > closed || faces + pslg_.holes.size() < closed) {
       return std::to_string(faces) + " faces of " + std::to_string(closed) + " are left, for " +
              std::to_string(pslg_.holes.size()) + " holes";
     }
     for (const Point hole : pslg_.holes) {
+      if (lies_on_segment(hole)) return "the hole " + to_text(hole) + " lies on a segment, unseen";
       if (!triangles_at(hole).empty()) return "the hole " + to_text(hole) + " is filled";
     }
     return std::nullopt;
+  }
+
+  // The sides of a hull that no segment asked for.
+  std::vector<Arrangement::Piece> open_sides() const {
+    std::vector<Arrangement::Piece> sides;
+    for (const SortedEdges::Entry& entry : edges_.entries()) {
+      if (!report_.convex_hull || !mesh_.is_boundary(entry.edge)) continue;
+      const std::uint32_t a = point_of_[mesh_.origin(entry.edge).index()];
+      const std::uint32_t b = point_of_[mesh_.destination(entry.edge).index()];
+      if (!arrangement_.has_piece(a, b)) sides.emplace_back(std::minmax(a, b));
+    }
+    return sides;
   }
 
   std::vector<TriangleId> triangles_at(Point p) const {
@@ -166,6 +179,18 @@ class PromiseCheck {
     return found;
   }
 
+  bool lies_on_segment(Point p) const {
+    for (const TriangleId t : triangles_at(p)) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge e{t, i};
+        const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
+        const bool asked = !report_.convex_hull || !mesh_.is_boundary(e);
+        if (asked && mesh_.is_constrained(e) && oracle_orient2d(a, b, p) == 0) return true;
+      }
+    }
+    return false;
+  }
+
   // The first seed in a face names its region; a face without one gets a surface that no seed has.
   Broken broken_seeds() {
     const Parts faces = parts_of(mesh_, JoinAcross::unconstrained_edges);
@@ -173,6 +198,9 @@ class PromiseCheck {
     for (const RegionSeed& seed : pslg_.seeds) {
       const auto found = triangles_at(seed.at);
       if (found.empty()) continue;
+      if (lies_on_segment(seed.at)) {
+        return "the seed " + to_text(seed.at) + " lies on a segment, unseen";
+      }
       auto& region = wanted[faces.of_triangle[found.front().index()]];
       if (!region) region = seed.surface;
     }

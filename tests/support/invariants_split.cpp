@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "support/invariants.hpp"
 #include "support/mesh_edges.hpp"
@@ -28,15 +29,15 @@ Beside beside(Point p, Point a, Point b) {
 struct Covered {
   Point a, b;
   double sum = 0;
+  double strayed = 0;  // the largest distance of a piece, over size()
 
   double size() const {
     return std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
   }
-  // False if the piece from p to q strays.
-  bool add(Point p, Point q) {
+  void add(Point p, Point q) {
     const Beside from = beside(p, a, b), to = beside(q, a, b);
     sum += std::abs(to.along - from.along);
-    return std::max(from.distance, to.distance) <= tolerance * size();
+    strayed = std::max({strayed, from.distance / size(), to.distance / size()});
   }
   bool is_whole() const {
     const double slack = 1e-9 + 100 * tolerance * size() / std::sqrt(squared_distance(a, b));
@@ -65,14 +66,15 @@ std::optional<std::string> broken_split_promise(const Mesh& mesh, const Triangul
     for (const SegmentId owner : mesh.segments_of(e)) {
       const auto curve = mesh.segments()[owner.index()].curve;
       if (!curve) continue;  // a side of the hull that no segment asked for
-      if (!covered[curve->index()].add(mesh.point(mesh.origin(e)),
-                                       mesh.point(mesh.destination(e)))) {
-        return "a piece of segment " + std::to_string(curve->index()) + " strays from it";
-      }
+      covered[curve->index()].add(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)));
     }
   }
-  for (std::size_t s = 0; report.convex_hull && s < covered.size(); ++s) {
-    if (!covered[s].is_whole()) {
+  for (std::size_t s = 0; s < covered.size(); ++s) {
+    if (covered[s].strayed > tolerance) {
+      return "a piece of segment " + std::to_string(s) + " strays from it by " +
+             std::to_string(covered[s].strayed / 0x1p-52) + " * 2^-52 of its coordinates";
+    }
+    if (report.convex_hull && !covered[s].is_whole()) {
       return "the pieces of segment " + std::to_string(s) + " do not cover it";
     }
   }

@@ -94,18 +94,20 @@ bool Arrangement::has_piece(std::uint32_t a, std::uint32_t b) const {
   return std::binary_search(pieces.begin(), pieces.end(), Piece(std::minmax(a, b)));
 }
 
-std::size_t Arrangement::closed_faces() const {
+std::size_t Arrangement::closed_faces(const std::vector<Piece>& more) const {
   std::vector<std::uint32_t> root(points.size());
   std::iota(root.begin(), root.end(), 0U);
   const auto find = [&](std::uint32_t v) {
     while (root[v] != v) v = root[v] = root[root[v]];
     return v;
   };
-  std::size_t faces = 0;  // an edge between vertices joined already closes one more cycle
-  for (const auto& [a, b] : pieces) {
-    const std::uint32_t u = find(a), w = find(b);
-    if (u == w) ++faces;
-    else root[u] = w;
+  std::size_t faces = 0;
+  for (const auto* edges : {&pieces, &more}) {
+    for (const Piece& edge : *edges) {
+      const std::uint32_t u = find(edge.first), w = find(edge.second);
+      if (u == w) ++faces;  // joined already: the edge closes one more cycle
+      else root[u] = w;
+    }
   }
   return faces;
 }

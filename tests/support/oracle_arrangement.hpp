@@ -23,8 +23,9 @@ struct Arrangement {
   bool collinear = true;         ///< no three points span an area
 
   bool has_piece(std::uint32_t a, std::uint32_t b) const;
-  /// Bounded faces of the planar graph of the pieces, by Euler's formula. \pre no crossings
-  std::size_t closed_faces() const;
+  /// Bounded faces of the planar graph of the pieces and `more` edges, by Euler's formula.
+  /// \pre no crossings, and `more` has no piece
+  std::size_t closed_faces(const std::vector<Piece>& more = {}) const;
 };
 
 /// \pre P1 and P2 of pslg.hpp. Cost: segments * points in x-ranges that overlap.

@@ -182,18 +182,13 @@ class RegionFinder {
                      "correct the boundary, or remove the surface");
   }
 
-  // The first triangle whose closed area holds p.
-  std::optional<TriangleId> triangle_at(Point p) const {
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      const auto [a, b, c] = mesh_.corners(TriangleId(t));
-      if (orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0) {
-        return TriangleId(t);
-      }
-    }
-    return std::nullopt;
+  bool is_in(TriangleId t, Point p) const {
+    const auto [a, b, c] = mesh_.corners(t);
+    return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
   }
 
-  bool is_on_constrained_edge(TriangleId t, Point p) const {
+  // \pre is_in(t, p)
+  bool is_on_segment(TriangleId t, Point p) const {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge e{t, i};
       const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
@@ -204,16 +199,20 @@ class RegionFinder {
 
   // The component around a hole or seed; nothing, with a warning, if it is outside.
   std::optional<std::uint32_t> component_at(Point p, const std::string& what) {
-    const auto t = triangle_at(p);
-    if (!t || outside_[components_.of_triangle[t->index()]]) {
-      report_.warnings.push_back(what + " at " + to_text(p) + " is outside the domain: ignored");
-      return std::nullopt;
+    std::optional<std::uint32_t> found;
+    bool on_segment = false;
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+      const std::uint32_t c = components_.of_triangle[t];
+      if (outside_[c] || !is_in(TriangleId(t), p)) continue;
+      if (!found) found = c;
+      on_segment = on_segment || is_on_segment(TriangleId(t), p);
     }
-    if (is_on_constrained_edge(*t, p)) {
+    if (!found) report_.warnings.push_back(what + " at " + to_text(p) + " is outside the domain");
+    if (on_segment) {
       throw InputError(pslg_.source + ", " + what, "lies on a segment at " + to_text(p),
                        "move it into the area it is meant for");
     }
-    return components_.of_triangle[t->index()];
+    return found;
   }
 
   void carve_holes() {
