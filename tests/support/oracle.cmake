@@ -8,6 +8,7 @@ add_library(lepp_test_oracle STATIC
   ${CMAKE_CURRENT_LIST_DIR}/oracle.cpp
   ${CMAKE_CURRENT_LIST_DIR}/oracle_arrangement.cpp
   ${CMAKE_CURRENT_LIST_DIR}/oracle_cases.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/oracle_cdt.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plain/constrained_delaunay.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plain/delaunay.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plain/extract_regions.cpp
