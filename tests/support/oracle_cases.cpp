@@ -87,6 +87,21 @@ std::string text(const Points& p) {
   return to_text(p[0]) + " " + to_text(p[1]) + " " + to_text(p[2]) + " " + to_text(p[3]);
 }
 
+std::string wrong_predicate(const Points& p) {
+  const auto& [a, b, c, d] = p;
+  const int turn = exact_orient2d(a, b, c);
+  if (orient2d(a, b, c) != turn || orient2d(b, c, a) != turn || orient2d(b, a, c) != -turn) {
+    return "orient2d";
+  }
+  if (dot_sign(a, b, c) != exact_dot_sign(a, b, c)) return "dot_sign";
+  if (dot_sign(a, d, b) != exact_dot_sign(a, d, b)) return "dot_sign";
+  if (turn == 0) return {};
+  const Point left = turn > 0 ? a : b, right = turn > 0 ? b : a;
+  const int inside = exact_incircle(left, right, c, d);
+  const bool same = incircle(left, right, c, d) == inside && incircle(c, left, right, d) == inside;
+  return same ? "" : "incircle";
+}
+
 }  // namespace
 
 std::array<Point, 4> predicate_case(std::uint64_t seed) {
@@ -132,25 +147,9 @@ std::array<Point, 4> predicate_case(std::uint64_t seed) {
 
 std::optional<std::string> predicate_difference(std::uint64_t seed) {
   const Points p = predicate_case(seed);
-  const auto& [a, b, c, d] = p;
-  const std::string_view wrong = [&]() -> std::string_view {
-    const int turn = exact_orient2d(a, b, c);
-    if (orient2d(a, b, c) != turn || orient2d(b, c, a) != turn || orient2d(b, a, c) != -turn) {
-      return "orient2d";
-    }
-    if (dot_sign(a, b, c) != exact_dot_sign(a, b, c)) return "dot_sign";
-    if (dot_sign(a, d, b) != exact_dot_sign(a, d, b)) return "dot_sign";
-    if (turn == 0) return {};
-    const Point left = turn > 0 ? a : b, right = turn > 0 ? b : a;
-    const int inside = exact_incircle(left, right, c, d);
-    if (incircle(left, right, c, d) != inside || incircle(c, left, right, d) != inside) {
-      return "incircle";
-    }
-    return {};
-  }();
+  const std::string wrong = wrong_predicate(p);
   if (wrong.empty()) return std::nullopt;
-  return std::string(wrong) + " differs from the oracle, seed " + std::to_string(seed) + ": " +
-         text(p);
+  return wrong + " differs from the oracle, seed " + std::to_string(seed) + ": " + text(p);
 }
 
 }  // namespace lepp::test
