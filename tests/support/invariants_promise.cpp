@@ -21,9 +21,7 @@ class PromiseCheck {
     if (Broken broken = broken_vertices()) return broken;
     if (Broken broken = broken_pieces()) return broken;
     if (Broken broken = broken_extra_constraints()) return broken;
-    if (arrangement_.closed_faces() == 0) {
-      if (Broken broken = broken_hull()) return broken;
-    }
+    if (Broken broken = broken_hull()) return broken;
     if (Broken broken = broken_faces()) return broken;
     return broken_seeds();
   }
@@ -99,51 +97,57 @@ class PromiseCheck {
     });
   }
 
+  // A constrained edge is a piece, or a side of the hull where the pieces close no face.
   Broken broken_extra_constraints() {
-    const bool hull = arrangement_.closed_faces() == 0;
-    if (report_.convex_hull != hull) return "convex_hull is wrong";
+    const bool is_hull = arrangement_.closed_faces() == 0;
+    if (report_.convex_hull != is_hull) return "convex_hull is wrong";
+    if (is_hull) find_open_sides();
     for (const SortedEdges::Entry& entry : edges_.entries()) {
       const HalfEdge e = entry.edge;
-      if (!mesh_.is_constrained(e) || (hull && mesh_.is_boundary(e))) continue;
-      const std::uint32_t a = point_of_[mesh_.origin(e).index()];
-      const std::uint32_t b = point_of_[mesh_.destination(e).index()];
-      if (!arrangement_.has_piece(a, b)) {
+      if (!mesh_.is_constrained(e)) continue;
+      const auto [a, b] = points_of(e);
+      const Arrangement::Piece piece = std::minmax(a, b);
+      if (arrangement_.has_piece(a, b)) continue;
+      if (!std::binary_search(open_sides_.begin(), open_sides_.end(), piece)) {
         return "no segment runs along the constrained " + place(a) + " - " + place(b);
       }
     }
     return std::nullopt;
   }
 
-  // One boundary cycle that never turns right and goes around once; every point is a vertex.
-  Broken broken_hull() {
-    if (mesh_.vertex_count() != arrangement_.points.size()) return "the hull lost a point";
-    std::size_t sides = 0, walked = 0;
-    std::optional<HalfEdge> first;
-    for (const SortedEdges::Entry& entry : edges_.entries()) {
-      if (!mesh_.is_boundary(entry.edge)) continue;
-      ++sides;
-      first = entry.edge;
+  std::pair<std::uint32_t, std::uint32_t> points_of(HalfEdge e) const {
+    return {point_of_[mesh_.origin(e).index()], point_of_[mesh_.destination(e).index()]};
+  }
+
+  // The sides of the hull that no segment asked for.
+  void find_open_sides() {
+    const std::vector<std::uint32_t> hull = arrangement_.hull();
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const std::uint32_t a = hull[i], b = hull[(i + 1) % hull.size()];
+      if (!arrangement_.has_piece(a, b)) open_sides_.emplace_back(std::minmax(a, b));
     }
-    int turns = 0;
-    HalfEdge e = *first;
-    do {
-      HalfEdge next = next_edge(e);
-      while (const auto across = mesh_.twin(next)) next = next_edge(*across);
-      const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-      const Point c = mesh_.point(mesh_.destination(next));
-      if (oracle_orient2d(a, b, c) < 0) return "the hull is not convex at " + to_text(b);
-      if (!points_up(a, b) && points_up(b, c)) ++turns;
-      e = next;
-    } while (++walked <= sides && e != *first);
-    if (walked != sides || turns != 1) return "the hull is no single cycle";
+    std::sort(open_sides_.begin(), open_sides_.end());
+  }
+
+  // A domain without closed faces and holes is the convex hull: all points, its sides the boundary.
+  Broken broken_hull() const {
+    if (!report_.convex_hull || !pslg_.holes.empty()) return std::nullopt;
+    if (mesh_.vertex_count() != arrangement_.points.size()) return "the hull lost a point";
+    const std::vector<std::uint32_t> hull = arrangement_.hull();
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const std::uint32_t a = hull[i], b = hull[(i + 1) % hull.size()];
+      const auto e = edges_.find(*vertex_of_[a], *vertex_of_[b]);
+      if (!e || !mesh_.is_boundary(*e)) return "no boundary edge " + place(a) + " - " + place(b);
+    }
+    const auto is_boundary = [&](const SortedEdges::Entry& e) { return mesh_.is_boundary(e.edge); };
+    const auto sides = std::count_if(edges_.entries().begin(), edges_.entries().end(), is_boundary);
+    if (sides != static_cast<std::ptrdiff_t>(hull.size())) return "the hull has a gap";
     return std::nullopt;
   }
 
-  static bool points_up(Point a, Point b) { return b.y > a.y || (b.y == a.y && b.x < a.x); }
-
   Broken broken_faces() {
     const std::size_t faces = parts_of(mesh_, JoinAcross::unconstrained_edges).count;
-    const std::size_t closed = arrangement_.closed_faces(open_sides());
+    const std::size_t closed = arrangement_.closed_faces(open_sides_);
     if (faces > closed || faces + pslg_.holes.size() < closed) {
       return std::to_string(faces) + " faces of " + std::to_string(closed) + " are left, for " +
              std::to_string(pslg_.holes.size()) + " holes";
@@ -153,18 +157,6 @@ class PromiseCheck {
       if (!triangles_at(hole).empty()) return "the hole " + to_text(hole) + " is filled";
     }
     return std::nullopt;
-  }
-
-  // The sides of a hull that no segment asked for.
-  std::vector<Arrangement::Piece> open_sides() const {
-    std::vector<Arrangement::Piece> sides;
-    for (const SortedEdges::Entry& entry : edges_.entries()) {
-      if (!report_.convex_hull || !mesh_.is_boundary(entry.edge)) continue;
-      const std::uint32_t a = point_of_[mesh_.origin(entry.edge).index()];
-      const std::uint32_t b = point_of_[mesh_.destination(entry.edge).index()];
-      if (!arrangement_.has_piece(a, b)) sides.emplace_back(std::minmax(a, b));
-    }
-    return sides;
   }
 
   std::vector<TriangleId> triangles_at(Point p) const {
@@ -222,6 +214,7 @@ class PromiseCheck {
   SortedEdges edges_;
   std::vector<std::optional<VertexId>> vertex_of_;
   std::vector<std::uint32_t> point_of_;
+  std::vector<Arrangement::Piece> open_sides_;
 };
 
 }  // namespace

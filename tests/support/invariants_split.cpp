@@ -49,10 +49,11 @@ struct Covered {
 
 std::optional<std::string> broken_split_promise(const Mesh& mesh, const TriangulationReport& report,
                                                 const Pslg& pslg) {
+  const bool whole = report.convex_hull && pslg.holes.empty();
   for (std::size_t i = 0; i < pslg.points.size(); ++i) {
     const auto v = report.vertex_of_point.at(i);
     if (v && mesh.point(*v) != pslg.points[i]) return "an input point moved";
-    if (!v && report.convex_hull) return "the hull lost a point";
+    if (!v && whole) return "the hull lost a point";
   }
   std::vector<Covered> covered;
   for (const Segment& s : pslg.segments) {
@@ -74,7 +75,7 @@ std::optional<std::string> broken_split_promise(const Mesh& mesh, const Triangul
       return "a piece of segment " + std::to_string(s) + " strays from it by " +
              std::to_string(covered[s].strayed / 0x1p-52) + " * 2^-52 of its coordinates";
     }
-    if (report.convex_hull && !covered[s].is_whole()) {
+    if (whole && !covered[s].is_whole()) {
       return "the pieces of segment " + std::to_string(s) + " do not cover it";
     }
   }

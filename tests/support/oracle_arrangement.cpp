@@ -94,6 +94,23 @@ bool Arrangement::has_piece(std::uint32_t a, std::uint32_t b) const {
   return std::binary_search(pieces.begin(), pieces.end(), Piece(std::minmax(a, b)));
 }
 
+std::vector<std::uint32_t> Arrangement::hull() const {
+  std::vector<std::uint32_t> order = sorted_by_place(points), chain;
+  for (const bool upper : {false, true}) {
+    const std::size_t start = chain.size();
+    for (const std::uint32_t i : order) {
+      while (chain.size() >= start + 2 && oracle_orient2d(points[chain[chain.size() - 2]],
+                                                          points[chain.back()], points[i]) < 0) {
+        chain.pop_back();
+      }
+      chain.push_back(i);
+    }
+    chain.pop_back();  // the other half begins with it
+    if (!upper) std::reverse(order.begin(), order.end());
+  }
+  return chain;
+}
+
 std::size_t Arrangement::closed_faces(const std::vector<Piece>& more) const {
   std::vector<std::uint32_t> root(points.size());
   std::iota(root.begin(), root.end(), 0U);

@@ -23,6 +23,9 @@ struct Arrangement {
   bool collinear = true;         ///< no three points span an area
 
   bool has_piece(std::uint32_t a, std::uint32_t b) const;
+  /// The points on the boundary of the convex hull, counter-clockwise, those inside its sides too.
+  /// \pre not collinear
+  std::vector<std::uint32_t> hull() const;
   /// Bounded faces of the planar graph of the pieces and `more` edges, by Euler's formula.
   /// \pre no crossings, and `more` has no piece
   std::size_t closed_faces(const std::vector<Piece>& more = {}) const;

@@ -13,34 +13,17 @@ namespace lepp::test {
 
 namespace {
 
-std::vector<Point> convex_hull(std::vector<Point> points) {
-  std::sort(points.begin(), points.end());
-  std::vector<Point> hull;
-  for (const bool upper : {false, true}) {
-    const std::size_t start = hull.size();
-    for (const Point p : points) {
-      while (hull.size() >= start + 2 &&
-             oracle_orient2d(hull[hull.size() - 2], hull.back(), p) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();  // the other half begins with it
-    if (!upper) std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 // Nominally on one line: the hull is at most a few ulp wide.
 bool is_flat(const Arrangement& arrangement) {
   if (arrangement.collinear) return true;
-  const std::vector<Point> hull = convex_hull(arrangement.points);
+  const std::vector<std::uint32_t> hull = arrangement.hull();
+  const auto at = [&](std::size_t i) { return arrangement.points[hull[i % hull.size()]]; };
   double area = 0, diameter = 0, largest = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Point p = hull[i] - hull[0], q = hull[(i + 1) % hull.size()] - hull[0];
+    const Point p = at(i) - at(0), q = at(i + 1) - at(0);
     area += 0.5 * cross(p, q);
     diameter = std::max(diameter, std::sqrt(dot(p, p)));
-    largest = std::max({largest, std::abs(hull[i].x), std::abs(hull[i].y)});
+    largest = std::max({largest, std::abs(at(i).x), std::abs(at(i).y)});
   }
   return area <= 0x1p-46 * largest * diameter;
 }
