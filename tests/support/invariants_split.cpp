@@ -9,8 +9,10 @@ namespace lepp::test {
 
 namespace {
 
-// Pieces may be bent where they cross within rounding of a vertex, each time by a few ulp.
+// Pieces may be bent where they cross within rounding of a vertex, each time by a few ulp; near
+// zero by the gap of the supported range, where the next coordinate is 2^-140.
 constexpr double tolerance = 64 * 0x1p-52;
+constexpr double gap = 2 * min_coordinate;
 
 // The distance of p from segment ab, and how far along it, 0 to 1, p lies.
 struct Beside {
@@ -29,7 +31,7 @@ Beside beside(Point p, Point a, Point b) {
 struct Covered {
   Point a, b;
   double sum = 0;
-  double strayed = 0;  // the largest distance of a piece, over size()
+  double strayed = 0;  // the largest distance of a piece beyond the gap, over size()
 
   double size() const {
     return std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
@@ -37,10 +39,11 @@ struct Covered {
   void add(Point p, Point q) {
     const Beside from = beside(p, a, b), to = beside(q, a, b);
     sum += std::abs(to.along - from.along);
-    strayed = std::max({strayed, from.distance / size(), to.distance / size()});
+    strayed = std::max(strayed, (std::max(from.distance, to.distance) - gap) / size());
   }
   bool is_whole() const {
-    const double slack = 1e-9 + 100 * tolerance * size() / std::sqrt(squared_distance(a, b));
+    const double slack =
+        1e-9 + 100 * (tolerance * size() + gap) / std::sqrt(squared_distance(a, b));
     return a == b || std::abs(sum - 1) <= slack;
   }
 };
