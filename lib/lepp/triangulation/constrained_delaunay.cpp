@@ -133,11 +133,11 @@ Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions&
   RawTriangulation raw;
   const std::vector<VertexId> vertex_of = add_vertices(raw, pslg, report);
   triangulate(raw, pslg);
-  check_width(raw, pslg);
   raw.find_leaving();
   note_zero_length(pslg, vertex_of, report);
   SegmentPieces pieces = insert_segments(raw, pslg, vertex_of, report);
   Regions regions = find_regions(raw, pslg, pieces, report);
+  if (report.convex_hull) check_width(raw, pslg);  // an area that segments close off is meant
   Mesh mesh = mesh_of_regions(std::move(raw), std::move(regions), pslg, std::move(pieces),
                               vertex_of, report);
   note(report, report.points_outside, "points lie outside the domain and are not in the mesh");
