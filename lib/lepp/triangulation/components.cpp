@@ -6,40 +6,55 @@ namespace {
 
 using Code = RawTriangulation::Code;
 
-// Labels everything that triangle `start` is connected to; true if the outside is among it.
-bool flood(RawTriangulation& raw, std::uint32_t start, std::uint32_t label,
-           std::vector<std::uint32_t>& front) {
-  bool reaches_outside = false;
-  raw.set_label(start, label);
-  front.push_back(start);
-  while (!front.empty()) {
-    const std::uint32_t t = front.back();
-    front.pop_back();
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Code e = RawTriangulation::code(t, i);
-      if (raw.is_constrained(e)) continue;
-      const std::uint32_t across = RawTriangulation::triangle_of(raw.twin(e));
-      if (raw.label(across) == label) continue;
-      if (raw.is_ghost(across)) {
-        reaches_outside = true;
-        continue;
-      }
-      raw.set_label(across, label);
-      front.push_back(across);
+// Union-find on the labels: a triangle's label leads towards the first triangle of its component.
+class Forest {
+ public:
+  explicit Forest(RawTriangulation& raw) : raw_(raw) {}
+
+  std::uint32_t root(std::uint32_t t) {
+    while (raw_.label(t) != t) {  // halves the path on the way
+      raw_.set_label(t, raw_.label(raw_.label(t)));
+      t = raw_.label(t);
     }
+    return t;
   }
-  return reaches_outside;
-}
+
+  void join(std::uint32_t t, std::uint32_t u) {
+    t = root(t);
+    u = root(u);
+    if (t < u) raw_.set_label(u, t);
+    else raw_.set_label(t, u);
+  }
+
+ private:
+  RawTriangulation& raw_;
+};
 
 }  // namespace
 
+// Triangles are passed in the order of memory, three times; a flood would jump about.
 Components label_components(RawTriangulation& raw) {
+  const auto count = static_cast<std::uint32_t>(raw.triangles.size());
+  Forest forest(raw);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    raw.set_label(t, t);
+    if (raw.is_ghost(t)) continue;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Code e = RawTriangulation::code(t, i);
+      const std::uint32_t across = RawTriangulation::triangle_of(raw.twin(e));
+      if (across < t && !raw.is_constrained(e) && !raw.is_ghost(across)) forest.join(t, across);
+    }
+  }
   Components components;
-  std::vector<std::uint32_t> front;
-  for (std::uint32_t t = 0; t < raw.triangles.size(); ++t) raw.set_label(t, 0);
-  for (std::uint32_t t = 0; t < raw.triangles.size(); ++t) {
-    if (raw.label(t) != 0 || raw.is_ghost(t)) continue;
-    components.is_open.push_back(flood(raw, t, ++components.count, front));
+  for (std::uint32_t t = 0; t < count; ++t) {  // the label of a first triangle is final by now
+    if (raw.is_ghost(t)) raw.set_label(t, 0);
+    else raw.set_label(t, raw.label(t) == t ? ++components.count : raw.label(raw.label(t)));
+  }
+  components.is_open.assign(components.count, false);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const Code hull = RawTriangulation::code(t, 2);
+    if (!raw.is_ghost(t) || raw.is_constrained(hull)) continue;
+    components.is_open[raw.label(RawTriangulation::triangle_of(raw.twin(hull))) - 1] = true;
   }
   return components;
 }

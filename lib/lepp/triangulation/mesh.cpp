@@ -60,19 +60,9 @@ void Mesh::reserve(std::size_t vertices, std::size_t triangles) {
   triangles_.reserve(triangles);
 }
 
-void Mesh::adopt(std::vector<Point> points, std::vector<VertexOrigin> origins,
-                 std::vector<Triangle> triangles) {
-  points_ = std::move(points);
-  origins_ = std::move(origins);
+void Mesh::adopt(std::vector<Triangle> triangles, std::vector<std::uint32_t> leaving) {
   triangles_ = std::move(triangles);
-  leaving_.assign(points_.size(), nothing);
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge e{TriangleId(t), i};
-      std::uint32_t& leaving = leaving_[origin(e).index()];
-      if (leaving == nothing || is_boundary(e)) leaving = code(e);
-    }
-  }
+  leaving_ = std::move(leaving);
 }
 
 void Mesh::own_edges(std::span<const SegmentId> again) {

@@ -22,11 +22,9 @@ class MeshOfRegions {
     mark_vertices();
     drop_outside(pieces);
     raw_.points = {};
-    raw_.leaving = {};
-    number_vertices();
+    add_vertices();
     auto triangles = raw_.take_triangles(regions_.of_label, vertex_);
-    auto [points, origins] = vertices();
-    mesh_.adopt(std::move(points), std::move(origins), std::move(triangles));
+    mesh_.adopt(std::move(triangles), leaving());
     set_segments(pieces);
     set_entities();
     return std::move(mesh_);
@@ -35,7 +33,7 @@ class MeshOfRegions {
  private:
   bool is_kept(std::uint32_t t) const { return regions_.of_label[raw_.label(t)].has_value(); }
 
-  // vertex_: 0 for each vertex of a kept triangle, for now. border_: vertices with a constrained
+  // vertex_: anything but `unused` for each vertex of a kept triangle, for now. border_: vertices with a constrained
   // edge that has nothing kept on either side.
   void mark_vertices() {
     vertex_.assign(raw_.points.size(), unused);
@@ -77,46 +75,49 @@ class MeshOfRegions {
     report_.segments_outside = losers.size();
   }
 
-  void number_vertices() {
-    std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < vertex_of_.size(); ++i) {
-      const std::size_t v = vertex_of_[i].index();
-      if (raw_.input[v] == i && vertex_[v] != unused) vertex_[v] = count++;
-    }
+  // Numbers the vertices in input order; a point with an earlier copy shares its vertex.
+  void add_vertices() {
+    const auto count = static_cast<std::size_t>(
+        std::ranges::count_if(vertex_, [](std::uint32_t v) { return v != unused; }));
     report_.points_outside = vertex_.size() - count;
-    vertices_ = count;
-  }
-
-  std::pair<std::vector<Point>, std::vector<VertexOrigin>> vertices() {
-    std::vector<Point> points;
-    std::vector<VertexOrigin> origins;
-    points.reserve(vertices_);
-    origins.reserve(vertices_);
     report_.vertex_of_point.resize(vertex_of_.size());
+    mesh_.reserve(count, 0);
     for (std::uint32_t i = 0; i < vertex_of_.size(); ++i) {
       const std::size_t v = vertex_of_[i].index();
       if (vertex_[v] == unused) continue;
+      if (raw_.input[v] == i) {
+        vertex_[v] = mesh_.add_vertex(pslg_.points[i], {VertexOrigin::Kind::input, i}).value;
+      }
       report_.vertex_of_point[i] = VertexId(vertex_[v]);
-      if (raw_.input[v] != i) continue;
-      points.push_back(pslg_.points[i]);
-      origins.push_back({VertexOrigin::Kind::input, i});
     }
-    return {std::move(points), std::move(origins)};
+    raw_.input = {};
   }
 
-  // Where vertex v of the mesh lies on the curve of segment s.
+  std::vector<Code> leaving() {
+    std::vector<Code> leaving(mesh_.vertex_count());
+    for (std::size_t v = 0; v < vertex_.size(); ++v) {
+      if (vertex_[v] != unused) leaving[vertex_[v]] = raw_.leaving[v];
+    }
+    raw_.leaving = {};
+    return leaving;
+  }
+
+  // Where vertex v lies on the curve of segment s.
   double parameter(const Segment& s, VertexId v) const {
-    const Point a = pslg_.points[s.a.index()], b = pslg_.points[s.b.index()], p = mesh_.point(v);
-    if (p == a) return s.t_a;
-    if (p == b) return s.t_b;
+    if (v == vertex_of_[s.a.index()]) return s.t_a;
+    if (v == vertex_of_[s.b.index()]) return s.t_b;
+    const Point a = pslg_.points[s.a.index()], b = pslg_.points[s.b.index()];
+    const Point p = mesh_.point(in_mesh(v));
     const double along = std::sqrt(squared_distance(a, p) / squared_distance(a, b));
     return s.t_a + along * (s.t_b - s.t_a);
   }
 
+  VertexId in_mesh(VertexId v) const { return VertexId(vertex_[v.index()]); }
+
   Segment segment_of(const SegmentPiece& piece) const {
     const Segment& whole = pslg_.segments[piece.segment.index()];
-    const VertexId a(vertex_[piece.a.index()]), b(vertex_[piece.b.index()]);
-    return {a, b, whole.curve, parameter(whole, a), parameter(whole, b)};
+    return {in_mesh(piece.a), in_mesh(piece.b), whole.curve, parameter(whole, piece.a),
+            parameter(whole, piece.b)};
   }
 
   void set_segments(const SegmentPieces& pieces) {
@@ -173,7 +174,6 @@ class MeshOfRegions {
   Mesh mesh_;
   std::vector<std::uint32_t> vertex_;  // of the mesh, for each vertex of raw_
   std::vector<bool> border_;
-  std::size_t vertices_ = 0;
 };
 
 }  // namespace

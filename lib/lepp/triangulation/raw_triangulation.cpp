@@ -1,5 +1,6 @@
 #include "lepp/triangulation/raw_triangulation.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "lepp/geometry/predicates.hpp"
@@ -73,22 +74,38 @@ std::vector<Triangle> RawTriangulation::take_triangles(
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (of_label[label(t)]) place[t] = count++;
   }
+  std::ranges::fill(leaving, dropped);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (place[t] == dropped) continue;
     Triangle triangle = triangles[t];
     triangle.region_ = *of_label[triangle.region_.value];
     for (std::uint32_t i = 0; i < 3; ++i) {
-      triangle.vertices[i] = VertexId(vertex[triangle.vertices[i].index()]);
       const Code across = triangle.across_[i];
       const std::uint32_t beyond = place[triangle_of(across)];
       triangle.across_[i] = beyond == dropped ? Triangle::nothing : code(beyond, edge_of(across));
+      Code& first = leaving[triangle.vertices[next_corner(i)].index()];
+      if (first == dropped || beyond == dropped) first = code(place[t], i);
     }
+    for (VertexId& v : triangle.vertices) v = VertexId(vertex[v.index()]);
     triangles[place[t]] = triangle;  // place[t] <= t: nothing that is still needed
   }
   place = {};
   triangles.resize(count);
   if (count < triangles.capacity() / 4 * 3) triangles.shrink_to_fit();
   return std::move(triangles);
+}
+
+bool RawTriangulation::is_constrained_vertex_at(std::uint32_t t, Point p) const {
+  for (const VertexId v : triangles[t].vertices) {
+    if (point(v) != p) continue;
+    const Code first = leaving[v.index()];
+    Code e = first;
+    do {
+      if (is_constrained(e)) return true;
+      e = turn(e);
+    } while (e != first);
+  }
+  return false;
 }
 
 RawTriangulation::Place RawTriangulation::locate(Point p, std::uint32_t start) const {
@@ -106,7 +123,7 @@ RawTriangulation::Place RawTriangulation::locate(Point p, std::uint32_t start) c
       if (side < 0) leave = i;
       if (side == 0 && is_constrained(e)) on_constrained = true;
     }
-    if (leave == 3) return {t, on_constrained};
+    if (leave == 3) return {t, on_constrained || is_constrained_vertex_at(t, p)};
     t = triangle_of(twin(code(t, leave)));
     if (is_ghost(t)) return {t, false};
   }

@@ -87,17 +87,22 @@ class RawTriangulation {
   /// \pre there is one
   Code edge_between(VertexId a, VertexId b) const;
   /// Moves the triangles whose label has a region out of here, as those of a mesh: with that region
-  /// and with the vertices `vertex` says; links to the others become "nothing".
+  /// and with the vertices `vertex` says; links to the others become "nothing". `leaving` then
+  /// holds edges of the mesh, still by vertices of this.
   std::vector<Triangle> take_triangles(const std::vector<std::optional<SurfaceId>>& of_label,
                                        const std::vector<std::uint32_t>& vertex);
 
   struct Place {
     std::uint32_t triangle;         ///< a ghost if the point is outside the hull
-    bool on_constrained = false;    ///< exactly on a constrained edge
+    bool on_constrained = false;    ///< exactly on a constrained edge or at an end of one
   };
   /// A walk from triangle `start` to the one that holds p. Randomized, because constrained edges
   /// could make a straight rule go round in circles.
   Place locate(Point p, std::uint32_t start) const;
+
+ private:
+  /// p is a corner of `t` at which a constrained edge ends.
+  bool is_constrained_vertex_at(std::uint32_t t, Point p) const;
 };
 
 /// A small generator of pseudo-random numbers, the same on every machine [marsaglia2003].

@@ -51,14 +51,14 @@ class SeedRegions {
   // The label of a hole or seed; nothing, with a warning, if it is outside.
   std::optional<std::uint32_t> label_at(const RawTriangulation::Place& place, Point p,
                                         const std::string& what) {
+    if (place.on_constrained) {
+      throw InputError(pslg_.source + ", " + what, "lies on a segment at " + to_text(p),
+                       "move it into the area it is meant for");
+    }
     const std::uint32_t label = raw_.label(place.triangle);
     if (label == nowhere || outside_[label - 1]) {
       report_.warnings.push_back(what + " at " + to_text(p) + " is outside the domain: ignored");
       return std::nullopt;
-    }
-    if (place.on_constrained) {
-      throw InputError(pslg_.source + ", " + what, "lies on a segment at " + to_text(p),
-                       "move it into the area it is meant for");
     }
     return label;
   }
