@@ -95,9 +95,9 @@ class Sections {
   }
 
   void triangles(const Mesh& mesh) {
-    std::vector<std::string> endings;  // of a line, by region: few regions, many triangles
+    std::vector<std::string> attributes;  // as text: few regions, many triangles
     for (std::size_t s = 0; s < mesh.entities().surfaces.size(); ++s) {
-      endings.push_back(" " + to_text(attribute_of(mesh.entities(), SurfaceId(s))) + "\n");
+      attributes.push_back(to_text(attribute_of(mesh.entities(), SurfaceId(s))));
     }
     out_ << mesh.triangle_count() << " 3 1\n";
     for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -105,8 +105,10 @@ class Sections {
       out_ << number(i);
       for (const VertexId v : mesh.vertices(t)) out_ << ' ' << number(v.index());
       const std::size_t region = mesh.region(t).index();
-      if (region < endings.size()) out_ << endings[region];
-      else out_ << ' ' << attribute_of(mesh.entities(), mesh.region(t)) << '\n';
+      out_ << ' ';
+      if (region < attributes.size()) out_ << attributes[region];
+      else out_ << attribute_of(mesh.entities(), mesh.region(t));
+      out_ << '\n';
     }
   }
 
