@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     fs::create_directories(folder);
     const fs::path poly = folder / "input.poly";
     for (const test::Family& family : test::families()) {
-      for (const std::size_t points : {64, 400}) {
+      for (const std::size_t points : {64U, 400U}) {
         for (const std::uint64_t seed : {1U, 2U}) {
           write_poly(family.make(points, seed), poly);
           mesh(family.name + (" " + std::to_string(points)) + " " + std::to_string(seed), poly,

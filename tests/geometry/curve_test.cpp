@@ -75,7 +75,9 @@ TEST_CASE("halfway lies on the curve and equally far from both ends") {
   const Curve arc = circle({0, 0}, 2, 0.3, 2);
   const Curve ellipse = EllipseArc{{1, 1}, {4, 0}, {0, 1}, 0.1, 1.2};
   for (const Curve& curve : {arc, ellipse, cubic_parabola()}) {
-    for (const auto& [from, to] : {std::pair{0.0, 0.3}, {0.3, 0.45}, {0.9, 0.6}, {0.5, 0.5001}}) {
+    for (const auto& row : {std::pair{0.0, 0.3}, {0.3, 0.45}, {0.9, 0.6}, {0.5, 0.5001}}) {
+      const auto& from = row.first;
+      const auto& to = row.second;
       CAPTURE(from);
       const CurvePiece piece = piece_of(curve, from, to);
       const CurvePoint m = halfway(curve, piece);

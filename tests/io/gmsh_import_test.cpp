@@ -297,7 +297,9 @@ TEST_CASE("real .geo files: each is triangulated, or refused with its own reason
                                                {"gridapgmsh/periodic", 1},
                                                {"thetis/discrete_turbines/mesh", 204800},
                                                {"devsim/disk_2d", 6.25e-8}};
-  for (const auto& [name, area] : areas) {
+  for (const auto& row : areas) {
+    const auto& name = row.first;
+    const auto& area = row.second;
     CAPTURE(name);
     const auto file = test::real_input("gmsh/" + name + ".geo");
     if (file) CHECK(measure(constrained_delaunay(read_geo(*file)).mesh).area == exactly(area));
@@ -307,7 +309,9 @@ TEST_CASE("real .geo files: each is triangulated, or refused with its own reason
       {"petsc/gmsh-seg", "no surface"},
       {"thetis/mesh_cylinder_coarse", "Unknown field type \"Attractor\""},
       {"thetis/mesh_rhineRofi_test", "Unknown field type \"Attractor\""}};
-  for (const auto& [name, reason] : reasons) {
+  for (const auto& row : reasons) {
+    const auto& name = row.first;
+    const auto& reason = row.second;
     CAPTURE(name);
     const auto file = test::real_input("gmsh/" + name + ".geo");
     if (file) CHECK(contains(error_of<InputError>([&] { read_geo(*file); }), reason));

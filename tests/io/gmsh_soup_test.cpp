@@ -144,7 +144,9 @@ TEST_CASE("hostile .msh files are read, or refused with the reason") {
       {"m15_unknown_version", "MSH version 9.9"},
       {"m19_no_elements", "no elements"},
       {"m21_sections_swapped_crlf", "elements come before the nodes"}};
-  for (const auto& [name, reason] : reasons) {
+  for (const auto& row : reasons) {
+    const auto& name = row.first;
+    const auto& reason = row.second;
     CAPTURE(name);
     if (const auto file = test::real_input("nasty/" + name + ".msh"))
       CHECK(contains(error_of<InputError>([&] { read_gmsh(*file); }), reason));

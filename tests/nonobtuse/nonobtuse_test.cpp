@@ -128,7 +128,9 @@ TEST_CASE("Theorem 5: below that, C alone costs a logarithmic number of points o
   // Bound: log2((L - l/2) / (2 l sin beta)), rounded up, with l = |BC| = 1 and L = |BA|.
   const std::vector<std::pair<double, std::size_t>> at_most{{1, 6},  {2, 5},  {5, 4},
                                                             {10, 3}, {15, 2}, {20, 2}};
-  for (const auto& [beta_deg, bound] : at_most) {
+  for (const auto& row : at_most) {
+    const auto& beta_deg = row.first;
+    const auto& bound = row.second;
     CAPTURE(beta_deg);
     const double beta = beta_deg * std::numbers::pi / 180, longest = 2 * std::cos(beta) - 1e-9;
     Pslg pslg = test::polygon({0, 0, 0.5, 0, longest, 0, longest, 3, 0, 3});
@@ -177,7 +179,9 @@ TEST_CASE("the isosceles triangle leaves the angles that theory gives, and 32.53
   const std::vector<std::pair<double, double>> table{{5, 165.0},  {10, 150.3}, {15, 135.9},
                                                      {20, 122.1}, {25, 108.9}, {30, 96.2},
                                                      {35, 84.1},  {40, 72.5}};
-  for (const auto& [beta, expected] : table) {
+  for (const auto& row : table) {
+    const auto& beta = row.first;
+    const auto& expected = row.second;
     CAPTURE(beta);
     CHECK(angle_after(beta) == doctest::Approx(expected).epsilon(1e-3));
   }

@@ -54,7 +54,9 @@ TEST_CASE("every valid geometry becomes a certified mesh that survives its own c
       CHECK(again[key] == report[key]);
     }
     const auto before = group_measures(report), after = group_measures(again);
-    for (const auto& [group, measure] : before) {
+    for (const auto& row : before) {
+      const auto& group = row.first;
+      const auto& measure = row.second;
       CAPTURE(group.second);
       REQUIRE(after.contains(group));
       CHECK(after.at(group) == doctest::Approx(measure).epsilon(1e-12));
