@@ -65,8 +65,9 @@ int main(int argc, char** argv) {
       for (const std::size_t points : {64U, 400U}) {
         for (const std::uint64_t seed : {1U, 2U}) {
           write_poly(family.make(points, seed), poly);
-          mesh(family.name + (" " + std::to_string(points)) + " " + std::to_string(seed), poly,
-               folder);
+          std::string name = family.name;
+          name.append(" ").append(std::to_string(points)).append(" ").append(std::to_string(seed));
+          mesh(name, poly, folder);
         }
       }
     }
