@@ -15,6 +15,8 @@ bool in_range(double c) {
   return c == 0 || (std::abs(c) >= min_coordinate && std::abs(c) <= max_coordinate);
 }
 
+bool in_range(Point p) { return in_range(p.x) && in_range(p.y); }
+
 std::string coordinate_problem(double c) {
   if (!std::isfinite(c)) return "coordinate " + to_text(c) + " is not a finite number";
   return "coordinate " + to_text(c) + " is outside the supported range, 0 or " +
@@ -128,6 +130,7 @@ std::optional<std::pair<SegmentId, SegmentId>> first_bad_meeting(const Pslg& psl
 void check_ids_and_range(const Pslg& pslg) {
   check_entities(pslg.entities, pslg.points.size(), pslg.source);
   for (std::size_t i = 0; i < pslg.points.size(); ++i) {
+    if (in_range(pslg.points[i])) continue;
     check_place(pslg, pslg.points[i], "point " + std::to_string(pslg.point_number(VertexId(i))));
   }
   for (std::size_t i = 0; i < pslg.holes.size(); ++i) {
@@ -144,18 +147,18 @@ void check_ids_and_range(const Pslg& pslg) {
   }
   for (std::size_t i = 0; i < pslg.segments.size(); ++i) {
     const Segment& s = pslg.segments[i];
+    const bool has_curve = !s.curve || s.curve->index() < pslg.entities.curves.size();
+    const std::size_t points = pslg.points.size();
+    if (s.a.index() < points && s.b.index() < points && has_curve) continue;
     const std::string where =
         pslg.source + ", segment " + std::to_string(pslg.segment_number(SegmentId(i)));
-    for (const VertexId v : {s.a, s.b}) {
-      if (v.index() >= pslg.points.size()) {
-        throw InputError(where, "point index " + std::to_string(v.value) + " is out of range",
-                         "there are " + std::to_string(pslg.points.size()) +
-                             " points, counted from 0 in this array");
-      }
-    }
-    if (s.curve && s.curve->index() >= pslg.entities.curves.size()) {
+    if (!has_curve) {
       throw InputError(where, "its curve is missing", "add the curve to Pslg::entities");
     }
+    const VertexId v = s.a.index() < points ? s.b : s.a;
+    throw InputError(where, "point index " + std::to_string(v.value) + " is out of range",
+                     "there are " + std::to_string(points) +
+                         " points, counted from 0 in this array");
   }
 }
 

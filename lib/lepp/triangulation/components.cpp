@@ -6,55 +6,62 @@ namespace {
 
 using Code = RawTriangulation::Code;
 
-// Union-find on the labels: a triangle's label leads towards the first triangle of its component.
-class Forest {
+// Waits for memory take most of the time of a flood. So it goes from front to front, and asks for a
+// triangle when it is put into the next front, long before it is looked at; and that a triangle
+// has been seen stands in a bit of its own, so that asking does not touch it.
+class Flood {
  public:
-  explicit Forest(RawTriangulation& raw) : raw_(raw) {}
+  explicit Flood(RawTriangulation& raw) : raw_(raw), seen_(raw.triangles.size(), false) {}
 
-  std::uint32_t root(std::uint32_t t) {
-    while (raw_.label(t) != t) {  // halves the path on the way
-      raw_.set_label(t, raw_.label(raw_.label(t)));
-      t = raw_.label(t);
+  bool has_seen(std::uint32_t t) const { return seen_[t]; }
+
+  // Labels what is connected to triangle `start`. \return true if the outside is among it
+  bool run(std::uint32_t start, std::uint32_t label) {
+    bool reaches_outside = false;
+    next_.push_back(start);
+    seen_[start] = true;
+    while (!next_.empty()) {
+      front_.swap(next_);
+      for (const std::uint32_t t : front_) {
+        if (raw_.is_ghost(t)) {
+          reaches_outside = true;
+          seen_[t] = false;  // other components may reach it, too
+        } else {
+          raw_.set_label(t, label);
+          step_from(t);
+        }
+      }
+      front_.clear();
     }
-    return t;
-  }
-
-  void join(std::uint32_t t, std::uint32_t u) {
-    t = root(t);
-    u = root(u);
-    if (t < u) raw_.set_label(u, t);
-    else raw_.set_label(t, u);
+    return reaches_outside;
   }
 
  private:
+  void step_from(std::uint32_t t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Code e = RawTriangulation::code(t, i);
+      const std::uint32_t across = RawTriangulation::triangle_of(raw_.twin(e));
+      if (raw_.is_constrained(e) || seen_[across]) continue;
+      seen_[across] = true;
+      raw_.prefetch(across);
+      next_.push_back(across);
+    }
+  }
+
   RawTriangulation& raw_;
+  std::vector<bool> seen_;
+  std::vector<std::uint32_t> front_, next_;
 };
 
 }  // namespace
 
-// Triangles are passed in the order of memory, three times; a flood would jump about.
 Components label_components(RawTriangulation& raw) {
-  const auto count = static_cast<std::uint32_t>(raw.triangles.size());
-  Forest forest(raw);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    raw.set_label(t, t);
-    if (raw.is_ghost(t)) continue;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Code e = RawTriangulation::code(t, i);
-      const std::uint32_t across = RawTriangulation::triangle_of(raw.twin(e));
-      if (across < t && !raw.is_constrained(e) && !raw.is_ghost(across)) forest.join(t, across);
-    }
-  }
   Components components;
-  for (std::uint32_t t = 0; t < count; ++t) {  // the label of a first triangle is final by now
+  Flood flood(raw);
+  for (std::uint32_t t = 0; t < raw.triangles.size(); ++t) {
+    if (flood.has_seen(t)) continue;
     if (raw.is_ghost(t)) raw.set_label(t, 0);
-    else raw.set_label(t, raw.label(t) == t ? ++components.count : raw.label(raw.label(t)));
-  }
-  components.is_open.assign(components.count, false);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const Code hull = RawTriangulation::code(t, 2);
-    if (!raw.is_ghost(t) || raw.is_constrained(hull)) continue;
-    components.is_open[raw.label(RawTriangulation::triangle_of(raw.twin(hull))) - 1] = true;
+    else components.is_open.push_back(flood.run(t, ++components.count));
   }
   return components;
 }

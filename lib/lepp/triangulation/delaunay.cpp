@@ -38,13 +38,13 @@ class Inserter {
   void start(VertexId a, VertexId b, VertexId c) {
     if (orient2d(raw_.point(a), raw_.point(b), raw_.point(c)) < 0) std::swap(b, c);
     const std::array<VertexId, 3> v{a, b, c};
+    raw_.triangles.resize(4);
     raw_.set_corners(0, a, b, c);
     for (std::uint32_t i = 0; i < 3; ++i) {
       raw_.set_corners(1 + i, v[previous_corner(i)], v[next_corner(i)], RawTriangulation::ghost);
       raw_.link(RawTriangulation::code(0, i), RawTriangulation::code(1 + i, 2));
       raw_.link(RawTriangulation::code(1 + i, 0), RawTriangulation::code(1 + previous_corner(i), 1));
     }
-    used_ = 4;
   }
 
   void insert(VertexId v) {
@@ -116,9 +116,9 @@ class Inserter {
 
   Sides close(Code outside, VertexId p) {
     const VertexId a = raw_.destination(outside), b = raw_.origin(outside);
-    std::uint32_t t = used_;
+    auto t = static_cast<std::uint32_t>(raw_.triangles.size());
     if (free_.empty()) {
-      ++used_;
+      raw_.triangles.emplace_back();
     } else {
       t = free_.back();
       free_.pop_back();
@@ -134,7 +134,6 @@ class Inserter {
   }
 
   RawTriangulation& raw_;
-  std::uint32_t used_ = 0;           // triangles so far
   std::uint32_t last_ = 0;           // one that the last insertion made
   std::vector<Code> pending_;        // edges seen from outside the hole, still to be looked at
   std::vector<std::uint32_t> free_;  // triangles of the hole that are not in use again yet
@@ -147,7 +146,7 @@ bool triangulate_points(RawTriangulation& raw) {
   std::uint32_t apex = 2;
   while (apex < count && orient2d(raw.points[0], raw.points[1], raw.points[apex]) == 0) ++apex;
   if (apex >= count) return false;
-  raw.triangles.resize(2 * (std::size_t{count} - 1));
+  raw.triangles.reserve(2 * (std::size_t{count} - 1));
   Inserter inserter(raw);
   inserter.start(VertexId(0U), VertexId(1U), VertexId(apex));
   std::vector<std::uint8_t> rounds = choose_rounds(count);

@@ -82,10 +82,11 @@ class MeshOfRegions {
     report_.points_outside = vertex_.size() - count;
     report_.vertex_of_point.resize(vertex_of_.size());
     mesh_.reserve(count, 0);
+    const bool has_copies = report_.duplicate_points > 0;
     for (std::uint32_t i = 0; i < vertex_of_.size(); ++i) {
       const std::size_t v = vertex_of_[i].index();
       if (vertex_[v] == unused) continue;
-      if (raw_.input[v] == i) {
+      if (!has_copies || raw_.input[v] == i) {
         vertex_[v] = mesh_.add_vertex(pslg_.points[i], {VertexOrigin::Kind::input, i}).value;
       }
       report_.vertex_of_point[i] = VertexId(vertex_[v]);
