@@ -42,6 +42,11 @@ std::optional<EdgeRecords::Record> EdgeRecords::find(VertexId a, VertexId b) con
   return record;
 }
 
+void EdgeRecords::prefetch(VertexId a, VertexId b) const {
+  const auto [low, high] = std::minmax(a.value, b.value);
+  __builtin_prefetch(&slots_[home(low, high)]);
+}
+
 void EdgeRecords::store(Slot& slot, const Record& record) {
   slot.segments = record.segments.value;
   if (!record.parameters) {

@@ -30,6 +30,8 @@ class EdgeRecords {
   std::size_t size() const { return size_; }
   void reserve(std::size_t edges);
   std::optional<Record> find(VertexId a, VertexId b) const;
+  /// Asks the memory for the place of edge ab, which will be looked up soon.
+  void prefetch(VertexId a, VertexId b) const;
   /// Adds the record of edge ab, or replaces it.
   void set(VertexId a, VertexId b, const Record& record);
   /// Removes the record of edge ab, if there is one.

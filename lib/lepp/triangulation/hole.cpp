@@ -64,13 +64,14 @@ void SegmentHole::fill() {
   const Code along = scan(right_.size(), border_.size(), from);
   raw_.link(back, along);
   raw_.constrain(along);
+  for (const auto& [edge, i] : doubles) {  // their `outside` was an edge of a removed triangle
+    const auto other =
+        std::ranges::lower_bound(doubles, std::pair(border_[i].outside, std::size_t{0}));
+    border_[i].outside = inside_[other->second];
+  }
   for (std::size_t i = 0; i < border_.size(); ++i) {
     raw_.link(inside_[i], border_[i].outside);
     raw_.set_constrained(inside_[i], border_[i].constrained);
-  }
-  for (const auto& [edge, i] : doubles) {  // their `outside` was an edge of a removed triangle
-    const auto other = std::ranges::lower_bound(doubles, std::pair(border_[i].outside, std::size_t{0}));
-    raw_.link(inside_[i], inside_[other->second]);
   }
   raw_.restore_delaunay(suspects_);
 }

@@ -60,15 +60,22 @@ void Mesh::reserve(std::size_t vertices, std::size_t triangles) {
   triangles_.reserve(triangles);
 }
 
-void Mesh::adopt(std::vector<Triangle> triangles, std::vector<std::uint32_t> leaving) {
+void Mesh::adopt(std::vector<Triangle> triangles, std::span<const std::uint32_t> leaving,
+                 std::span<const std::uint32_t> vertex) {
   triangles_ = std::move(triangles);
-  leaving_ = std::move(leaving);
+  for (std::size_t v = 0; v < leaving.size(); ++v) {
+    if (leaving[v] != nothing) leaving_[vertex[v]] = leaving[v];
+  }
 }
 
 void Mesh::own_edges(std::span<const SegmentId> again) {
+  constexpr std::size_t ahead = 16;  // the table is larger than the cache
   constrained_edges_.reserve(segments_.size() - again.size());
   auto next_again = again.begin();
   for (std::size_t s = 0; s < segments_.size(); ++s) {
+    if (s + ahead < segments_.size()) {
+      constrained_edges_.prefetch(segments_[s + ahead].a, segments_[s + ahead].b);
+    }
     if (next_again != again.end() && next_again->index() == s) {
       ++next_again;
       continue;

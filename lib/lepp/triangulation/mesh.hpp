@@ -144,9 +144,10 @@ class Mesh {
   Entities& mutable_entities() { return entities_; }
   void set_segments(std::vector<Segment> segments);
   void reserve(std::size_t vertices, std::size_t triangles);
-  /// Takes over all triangles at once, linked and flagged already, and for each vertex the code of
-  /// a half-edge that leaves it: the boundary edge, if it has one.
-  void adopt(std::vector<Triangle> triangles, std::vector<std::uint32_t> leaving);
+  /// Takes over all triangles at once, linked and flagged already. `leaving[i]` is the code of a
+  /// half-edge that leaves vertex number `vertex[i]`, the boundary edge if it has one; or nothing.
+  void adopt(std::vector<Triangle> triangles, std::span<const std::uint32_t> leaving,
+             std::span<const std::uint32_t> vertex);
   /// Gives the edge between the ends of each segment to that segment. The flags are set already.
   /// \param again  ascending: segments whose edge has another owner, too
   void own_edges(std::span<const SegmentId> again);

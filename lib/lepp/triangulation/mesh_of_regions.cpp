@@ -24,7 +24,8 @@ class MeshOfRegions {
     raw_.points = {};
     add_vertices();
     auto triangles = raw_.take_triangles(regions_.of_label, vertex_);
-    mesh_.adopt(std::move(triangles), leaving());
+    mesh_.adopt(std::move(triangles), raw_.leaving, vertex_);
+    raw_.leaving = {};
     set_segments(pieces);
     set_entities();
     return std::move(mesh_);
@@ -92,15 +93,6 @@ class MeshOfRegions {
       report_.vertex_of_point[i] = VertexId(vertex_[v]);
     }
     raw_.input = {};
-  }
-
-  std::vector<Code> leaving() {
-    std::vector<Code> leaving(mesh_.vertex_count());
-    for (std::size_t v = 0; v < vertex_.size(); ++v) {
-      if (vertex_[v] != unused) leaving[vertex_[v]] = raw_.leaving[v];
-    }
-    raw_.leaving = {};
-    return leaving;
   }
 
   // Where vertex v lies on the curve of segment s.
