@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "lepp/geometry/pslg.hpp"
 #include "lepp/geometry/segment_intersection.hpp"
 
 using namespace lepp;
@@ -26,7 +27,14 @@ TEST_CASE("a pixel beside or beyond a segment is not met") {
   CHECK_FALSE(meets_pixel({0, 0}, {1, 0}, {0.5, 1e-16}));
   CHECK(meets_pixel({0, 0}, {4, 1}, {2, 0.5}));
   CHECK(meets_pixel({0, 0}, {3, 1}, {1.5, 0.5}));
-  CHECK(meets_pixel({0, 0}, {1, 0}, {0.5, 1e-16}, 1e300));  // grown by much
+}
+
+TEST_CASE("between 0 and the least supported number the pixels of both share the gap") {
+  const double least = min_coordinate;
+  CHECK(meets_pixel({1, 0}, {3, 2 * least}, {2, least}));
+  CHECK(meets_pixel({1, 0}, {3, 1.5 * least}, {2, least}));  // 0.75 of it above x = 2
+  CHECK_FALSE(meets_pixel({1, 0}, {3, 1.5 * least}, {2, 0}));
+  CHECK(meets_pixel({1, -least}, {3, 1.5 * least}, {2, 0}));
 }
 
 TEST_CASE("the pixel of a rounded crossing is met by both segments") {

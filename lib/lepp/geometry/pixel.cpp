@@ -15,9 +15,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Half the way from c to the next double up or down; from 0 to the least supported number.
+// Half the way from c to the next supported number up or down: between 0 and the least of them
+// there is nothing.
 double half_step(double c, double towards) {
-  if (c == 0) return 0.5 * min_coordinate;
+  const bool to_zero = std::abs(c) == min_coordinate && (c > 0) == (towards < 0);
+  if (c == 0 || to_zero) return 0.5 * min_coordinate;
   return 0.5 * std::abs(std::nextafter(c, towards) - c);
 }
 
@@ -34,18 +36,18 @@ int side_of_corner(Point a, Point b, Point p, double x, double y) {
 
 }  // namespace
 
-Point reach(Point p, double growth) {
+Point reach(Point p) {
   const auto half = [](double c) {
     return std::max(half_step(c, infinity), half_step(c, -infinity));
   };
-  return {2 * growth * half(p.x), 2 * growth * half(p.y)};
+  return {2 * half(p.x), 2 * half(p.y)};
 }
 
-bool meets_pixel(Point a, Point b, Point p, double growth) {
+bool meets_pixel(Point a, Point b, Point p) {
   // No double lies between p and the border of its pixel, so boxes can be compared through p.
-  if (growth == 1 && !(is_between(p.x, a.x, b.x) && is_between(p.y, a.y, b.y))) return false;
-  const double left = growth * half_step(p.x, -infinity), right = growth * half_step(p.x, infinity);
-  const double down = growth * half_step(p.y, -infinity), up = growth * half_step(p.y, infinity);
+  if (!is_between(p.x, a.x, b.x) || !is_between(p.y, a.y, b.y)) return false;
+  const double left = half_step(p.x, -infinity), right = half_step(p.x, infinity);
+  const double down = half_step(p.y, -infinity), up = half_step(p.y, infinity);
   const int sides[] = {side_of_corner(a, b, p, -left, -down), side_of_corner(a, b, p, right, -down),
                        side_of_corner(a, b, p, right, up), side_of_corner(a, b, p, -left, up)};
   const auto [low, high] = std::ranges::minmax(sides);

@@ -8,12 +8,11 @@ namespace lepp {
 /// than to the doubles next to it, and a tie where its last bit is 0. Pixels tile the plane; they
 /// are the hot pixels of [hobby1999], on the grid of doubles.
 
-/// True if segment ab meets the pixel of p, decided exactly. With `growth` > 1 the pixel is so
-/// many times as large about p, and the answer is exact but for rounding.
+/// True if segment ab meets the pixel of p, decided exactly.
 /// \pre  a, b and p in the supported range of pslg.hpp
-bool meets_pixel(Point a, Point b, Point p, double growth = 1);
+bool meets_pixel(Point a, Point b, Point p);
 
-/// At least as far as the pixel of p, so many times as large, reaches from p in x and in y.
-Point reach(Point p, double growth);
+/// At least twice as far as the pixel of p reaches from p in x and in y.
+Point reach(Point p);
 
 }  // namespace lepp

@@ -39,7 +39,7 @@ struct SegmentMeetings {
 /// \pre     P1 and P2
 /// \throw   RefusedError on more than 50 million pairs that meet
 /// Cost     O(n log n + what is found) in practice; near_pairs.hpp. A million segments of a coast
-///          line take half a second.
+///          line take about a second.
 SegmentMeetings find_segment_meetings(const Pslg& pslg);
 
 /// For each point the first one at the same place, itself if it is that.

@@ -16,8 +16,7 @@ namespace lepp {
 
 namespace {
 
-constexpr int max_rounds = 40;
-constexpr int patience = 6;  // after so many rounds pixels begin to grow
+constexpr int max_rounds = 32;
 
 struct HashOfPoint {
   std::size_t operator()(Point p) const {
@@ -56,7 +55,6 @@ class Splitter {
       const SegmentMeetings found = find_segment_meetings(work_);
       if (found.pairs.empty() && found.points_on_segments.empty()) break;
       if (rounds == max_rounds) throw still_crossing(found);
-      growth_ = rounds < patience ? 1 : std::ldexp(1.0, rounds - patience + 1);
       cut_where_they_meet(found);
       cut_at_hot_points();
       share_cuts(found);
@@ -177,7 +175,7 @@ class Splitter {
     std::vector<Strip> strips;
     for (const Segment& s : work_.segments) strips.push_back({at(s.a), at(s.b)});
     const std::size_t pieces = strips.size();
-    for (const Point p : work_.points) strips.push_back({p, p, reach(p, growth_)});
+    for (const Point p : work_.points) strips.push_back({p, p, reach(p)});
     std::vector<Cut> meets;
     for_each_near_pair(strips, [&](std::uint32_t i, std::uint32_t j) {
       if (i >= pieces || j < pieces) return true;
@@ -197,8 +195,8 @@ class Splitter {
   bool meets_pixel(std::size_t i, VertexId v) const {
     const Segment &s = work_.segments[i], &unmoved = whole(i);
     if (at(v) == at(s.a) || at(v) == at(s.b)) return false;
-    return lepp::meets_pixel(at(s.a), at(s.b), at(v), growth_) ||
-           lepp::meets_pixel(at(unmoved.a), at(unmoved.b), at(v), growth_);
+    return lepp::meets_pixel(at(s.a), at(s.b), at(v)) ||
+           lepp::meets_pixel(at(unmoved.a), at(unmoved.b), at(v));
   }
 
   bool is_between(const Segment& s, VertexId v) const {
@@ -287,7 +285,6 @@ class Splitter {
   std::vector<VertexId> hot_;        // points where pieces were cut, to be dealt with
   std::vector<std::size_t> moving_;  // pieces that were cut at a rounded point, likewise
   std::vector<bool> moves_;          // of each piece: it is or was in moving_
-  double growth_ = 1;
   std::int64_t next_number_ = 0;
   std::size_t on_segments_ = 0;
 };

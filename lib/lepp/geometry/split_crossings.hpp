@@ -28,7 +28,7 @@ struct SplitPslg {
 /// \pre     P1 and P2
 /// \return  a PSLG in which no segment passes through a point and any two share ends only, or
 ///          both
-/// \throw   InputError naming both segments if they still cross after 64 rounds; RefusedError as
+/// \throw   InputError naming both segments if they still cross after 32 rounds; RefusedError as
 ///          find_segment_meetings()
 /// Cost     that of find_segment_meetings() per round; rarely more than three rounds
 /// Source   the hot pixels of [hobby1999]; docs/algorithms/crossings.md
