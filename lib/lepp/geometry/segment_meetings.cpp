@@ -117,8 +117,8 @@ class Finder {
   template <class List, class Projection>
   static void drop_copies(List& list, Projection order) {
     std::ranges::sort(list, {}, order);
-    const auto copies = std::ranges::unique(list, {}, order);
-    list.erase(copies.begin(), copies.end());
+    const auto same = [&](const auto& p, const auto& q) { return order(p) == order(q); };
+    list.erase(std::unique(list.begin(), list.end(), same), list.end());
   }
 
   const Pslg& pslg_;

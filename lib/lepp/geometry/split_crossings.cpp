@@ -150,16 +150,18 @@ class Splitter {
       if (!hot_.empty()) {
         const VertexId v = hot_.back();
         hot_.pop_back();
-        for (const Cut& c : std::ranges::equal_range(by_point, v, {}, &Cut::at)) {
-          cut(SegmentId(c.piece), v);
-          move(c.piece);
+        auto c = std::ranges::lower_bound(by_point, v, {}, &Cut::at);
+        for (; c != by_point.end() && c->at == v; ++c) {
+          cut(SegmentId(c->piece), v);
+          move(c->piece);
         }
       } else {
         const std::size_t piece = moving_.back();
         moving_.pop_back();
-        for (const Cut& c : std::ranges::equal_range(meets, piece, {}, &Cut::piece)) {
-          if (!is_hot[c.at.index()]) hot_.push_back(c.at);
-          is_hot[c.at.index()] = true;
+        auto c = std::ranges::lower_bound(meets, piece, {}, &Cut::piece);
+        for (; c != meets.end() && c->piece == piece; ++c) {
+          if (!is_hot[c->at.index()]) hot_.push_back(c->at);
+          is_hot[c->at.index()] = true;
         }
       }
     }
@@ -186,8 +188,7 @@ class Splitter {
       return true;
     });
     std::ranges::sort(meets);
-    const auto copies = std::ranges::unique(meets);
-    meets.erase(copies.begin(), copies.end());
+    meets.erase(std::unique(meets.begin(), meets.end()), meets.end());
     return meets;
   }
 
@@ -220,19 +221,19 @@ class Splitter {
 
   void drop_copies() {
     std::ranges::sort(cuts_);
-    const auto copies = std::ranges::unique(cuts_);
-    cuts_.erase(copies.begin(), copies.end());
+    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
   }
 
   void apply_cuts() {
-    for (const auto& [piece, v] : cuts_) {
-      if (!is_between(whole(piece), v)) continue;
-      auto& passes = tracks_[of_[piece].index()].passes;
+    for (const Cut& cut : cuts_) {
+      const Segment& unmoved = whole(cut.piece);
+      if (!is_between(unmoved, cut.at)) continue;
+      auto& passes = tracks_[of_[cut.piece].index()].passes;
       const auto here = std::ranges::lower_bound(
-          passes, v, [&](VertexId p, VertexId q) { return comes_before(whole(piece), p, q); });
-      if (here != passes.end() && at(*here) == at(v)) continue;
-      passes.insert(here, v);
-      if (v.index() < input_.points.size()) ++on_segments_;
+          passes, cut.at, [&](VertexId p, VertexId q) { return comes_before(unmoved, p, q); });
+      if (here != passes.end() && at(*here) == at(cut.at)) continue;
+      passes.insert(here, cut.at);
+      if (cut.at.index() < input_.points.size()) ++on_segments_;
     }
   }
 
