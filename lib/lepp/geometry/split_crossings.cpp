@@ -26,12 +26,19 @@ struct HashOfPoint {
   }
 };
 
-// An input segment and the vertices it has to pass, in order, without its ends. The list only
-// grows, and where a vertex lies along the segment is asked of the unmoved segment: so no chain
-// folds back or crosses itself, and rounds cannot go in a circle.
+// The way from one vertex to the next that leads through a third.
+struct Detour {
+  VertexId from, to, through;
+};
+
+// An input segment and the vertices it has to pass, in order, without its ends. The lists only
+// grow, and where a vertex lies along the segment is asked of the unmoved segment: so no chain
+// folds back or crosses itself, and rounds cannot go in a circle. Where two tracks pass the four
+// corners of one pixel's width in orders that cross, one of them takes a detour.
 struct Track {
   SegmentId segment;
   std::vector<VertexId> passes;
+  std::vector<Detour> detours;
 };
 
 // A place where a piece is to be cut.
@@ -57,8 +64,8 @@ class Splitter {
       if (rounds == max_rounds) throw still_crossing(found);
       cut_where_they_meet(found);
       cut_at_hot_points();
-      share_cuts(found);
-      apply_cuts();
+      share_with_copies(cuts_, found);
+      if (!apply_cuts()) take_detours(found);
       lay_pieces();
       ++rounds;
     }
@@ -79,6 +86,7 @@ class Splitter {
 
   void cut_where_they_meet(const SegmentMeetings& found) {
     cuts_.clear();
+    crossings_.clear();
     hot_.clear();
     moving_.clear();
     moves_.assign(work_.segments.size(), false);
@@ -110,6 +118,7 @@ class Splitter {
     v = not_beyond_ends(s, v);
     for (const SegmentId id : {pair.first, pair.second}) {
       if (not_beyond_ends(piece(id), v) == v) cut(id, v);
+      crossings_.push_back({id.index(), v});
       move(id.index());
     }
     hot_.push_back(v);
@@ -206,25 +215,27 @@ class Splitter {
   }
 
   // A segment that repeats another is cut where that is.
-  void share_cuts(const SegmentMeetings& found) {
-    drop_copies();
+  static void share_with_copies(std::vector<Cut>& cuts, const SegmentMeetings& found) {
+    sort_without_copies(cuts);
     std::vector<Cut> shared;
     for (const auto& [first, copy] : found.repeated_segments) {
-      const auto begin = std::ranges::lower_bound(cuts_, first.index(), {}, &Cut::piece);
-      for (auto cut = begin; cut != cuts_.end() && cut->piece == first.index(); ++cut) {
+      auto cut = std::ranges::lower_bound(cuts, first.index(), {}, &Cut::piece);
+      for (; cut != cuts.end() && cut->piece == first.index(); ++cut) {
         shared.push_back({copy.index(), cut->at});
       }
     }
-    cuts_.insert(cuts_.end(), shared.begin(), shared.end());
-    drop_copies();
+    cuts.insert(cuts.end(), shared.begin(), shared.end());
+    sort_without_copies(cuts);
   }
 
-  void drop_copies() {
-    std::ranges::sort(cuts_);
-    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+  static void sort_without_copies(std::vector<Cut>& cuts) {
+    std::ranges::sort(cuts);
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   }
 
-  void apply_cuts() {
+  // False if no track has to pass anything new.
+  bool apply_cuts() {
+    bool any = false;
     for (const Cut& cut : cuts_) {
       const Segment& unmoved = whole(cut.piece);
       if (!is_between(unmoved, cut.at)) continue;
@@ -233,8 +244,48 @@ class Splitter {
           passes, cut.at, [&](VertexId p, VertexId q) { return comes_before(unmoved, p, q); });
       if (here != passes.end() && at(*here) == at(cut.at)) continue;
       passes.insert(here, cut.at);
+      any = true;
       if (cut.at.index() < input_.points.size()) ++on_segments_;
     }
+    return any;
+  }
+
+  // Pieces that cross where both tracks have been already: those that do not end at the crossing
+  // go through it, whatever the order along the segment.
+  void take_detours(const SegmentMeetings& found) {
+    share_with_copies(crossings_, found);
+    for (const Cut& crossing : crossings_) {
+      const Segment& s = work_.segments[crossing.piece];
+      if (at(crossing.at) == at(s.a) || at(crossing.at) == at(s.b)) continue;
+      tracks_[of_[crossing.piece].index()].detours.push_back({s.a, s.b, crossing.at});
+    }
+  }
+
+  // The vertices of a track from end to end, each once.
+  std::vector<VertexId> chain(const Track& track) const {
+    const Segment& s = input_.segments[track.segment.index()];
+    std::vector<VertexId> vertices{s.a};
+    vertices.insert(vertices.end(), track.passes.begin(), track.passes.end());
+    vertices.push_back(s.b);
+    for (const Detour& detour : track.detours) {
+      for (std::size_t i = 1; i < vertices.size(); ++i) {
+        if (vertices[i - 1] != detour.from || vertices[i] != detour.to) continue;
+        vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i), detour.through);
+        vertices = without_loops(vertices);
+        break;
+      }
+    }
+    return vertices;
+  }
+
+  static std::vector<VertexId> without_loops(const std::vector<VertexId>& vertices) {
+    std::vector<VertexId> path;
+    for (const VertexId v : vertices) {
+      const auto before = std::ranges::find(path, v);
+      if (before == path.end()) path.push_back(v);
+      else path.erase(before + 1, path.end());
+    }
+    return path;
   }
 
   bool comes_before(const Segment& s, VertexId p, VertexId q) const {
@@ -247,19 +298,24 @@ class Splitter {
     of_.clear();
     for (const Track& track : tracks_) {
       const Segment& s = input_.segments[track.segment.index()];
-      Segment piece{s.a, s.a, s.curve, s.t_a, s.t_a};
-      for (const VertexId v : track.passes) {
-        piece = {piece.b, v, s.curve, piece.t_b, parameter(s, at(v))};
-        work_.segments.push_back(piece);
+      if (track.passes.empty() && track.detours.empty()) {
+        work_.segments.push_back(s);
+      } else {
+        const std::vector<VertexId> vertices = chain(track);
+        for (std::size_t i = 1; i < vertices.size(); ++i) {
+          const VertexId a = vertices[i - 1], b = vertices[i];
+          work_.segments.push_back({a, b, s.curve, parameter(s, a), parameter(s, b)});
+        }
       }
-      work_.segments.push_back({piece.b, s.b, s.curve, piece.t_b, s.t_b});
       of_.resize(work_.segments.size(), track.segment);
     }
   }
 
-  double parameter(const Segment& s, Point p) const {
+  double parameter(const Segment& s, VertexId v) const {
+    if (v == s.a) return s.t_a;
+    if (v == s.b) return s.t_b;
     const double length = squared_distance(at(s.a), at(s.b));
-    const double share = std::min(1.0, std::sqrt(squared_distance(at(s.a), p) / length));
+    const double share = std::min(1.0, std::sqrt(squared_distance(at(s.a), at(v)) / length));
     return s.t_a + share * (s.t_b - s.t_a);
   }
 
@@ -282,10 +338,10 @@ class Splitter {
   std::vector<Track> tracks_;
   std::vector<SegmentId> of_;  // for each piece in work_ the segment in input_
   std::unordered_map<Point, VertexId, HashOfPoint> vertex_at_;
-  std::vector<Cut> cuts_;
-  std::vector<VertexId> hot_;        // points where pieces were cut, to be dealt with
-  std::vector<std::size_t> moving_;  // pieces that were cut at a rounded point, likewise
-  std::vector<bool> moves_;          // of each piece: it is or was in moving_
+  std::vector<Cut> cuts_, crossings_;  // of this round
+  std::vector<VertexId> hot_;          // points where pieces were cut, to be dealt with
+  std::vector<std::size_t> moving_;    // pieces that were cut at a rounded point, likewise
+  std::vector<bool> moves_;            // of each piece: it is or was in moving_
   std::int64_t next_number_ = 0;
   std::size_t on_segments_ = 0;
 };
