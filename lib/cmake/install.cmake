@@ -24,9 +24,11 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/triangulation/flip.hpp
   lepp/triangulation/lepp.hpp
   lepp/triangulation/locate.hpp
+  lepp/triangulation/locator.hpp
   lepp/triangulation/mesh.hpp
   lepp/triangulation/mesh_fan.hpp
   lepp/triangulation/quality.hpp
+  lepp/triangulation/remove_vertex.hpp
   lepp/triangulation/split.hpp
   lepp/triangulation/unfinished.hpp
   lepp/triangulation/validate.hpp

@@ -1,48 +1,146 @@
 #include "lepp/triangulation/locate.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/xorshift.hpp"
+#include "lepp/triangulation/locator.hpp"
+#include "lepp/triangulation/spatial_order.hpp"
 
 namespace lepp {
 
 namespace {
 
-// The edge of `t` that has p on its right, starting the search at corner `first`.
-std::optional<HalfEdge> edge_towards(const Mesh& mesh, TriangleId t, std::uint32_t first, Point p) {
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const HalfEdge e{t, (first + k) % 3};
-    if (orient2d(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)), p) < 0) return e;
-  }
-  return std::nullopt;
+int side_of(const Mesh& mesh, HalfEdge e, Point p) {
+  return orient2d(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)), p);
 }
 
-Location inside(const Mesh& mesh, TriangleId t, Point p) {
-  Location location{t, {}};
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge e{t, i};
-    if (orient2d(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)), p) == 0) {
-      location.on_edge = e;
+// The squared distance from p to edge e, rounded: it only says where to look first.
+double squared_distance_to(const Mesh& mesh, HalfEdge e, Point p) {
+  const Point a = mesh.point(mesh.origin(e)), d = mesh.point(mesh.destination(e)) - a;
+  const double s = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
+  return squared_distance(a + s * d, p);
+}
+
+// The boundary edge after e, the mesh on the left.
+HalfEdge next_side(const Mesh& mesh, HalfEdge e) {
+  HalfEdge next = next_edge(e);
+  while (const auto across = mesh.twin(next)) next = next_edge(*across);
+  return next;
+}
+
+struct NearSide {
+  HalfEdge side;
+  double squared_distance = std::numeric_limits<double>::infinity();
+};
+
+// The edge nearest to p on the boundary loop of `start`; of two that share the nearest corner, the
+// one that has p on its left.
+NearSide nearest_side(const Mesh& mesh, HalfEdge start, Point p, LocateSteps& steps) {
+  NearSide nearest;
+  HalfEdge e = start;
+  do {
+    const double here = squared_distance_to(mesh, e, p);
+    if (here < nearest.squared_distance ||
+        (here == nearest.squared_distance && side_of(mesh, e, p) >= 0)) {
+      nearest = {e, here};
     }
+    e = next_side(mesh, e);
+    ++steps.count;
+  } while (e != start);
+  return nearest;
+}
+
+// From wherever p is in the mesh, a straight way leads from the nearest place of a boundary loop to
+// p without meeting that loop again. So each loop met next has a place that is nearer still.
+std::optional<Location> walk_round_holes(const Mesh& mesh, Point p, TriangleId hint,
+                                         LocateSteps& steps) {
+  double nearest_yet = std::numeric_limits<double>::infinity();
+  TriangleId start = hint;
+  while (true) {  // ends: nearest_yet falls from turn to turn
+    const WalkEnd end = walk(mesh, p, start, mesh.triangle_count(), steps);
+    if (end.found) return location_in(mesh, end.triangle, p);
+    if (!end.side) return std::nullopt;
+    const NearSide nearest = nearest_side(mesh, *end.side, p, steps);
+    if (!(nearest.squared_distance < nearest_yet)) return std::nullopt;
+    nearest_yet = nearest.squared_distance;
+    start = nearest.side.triangle;
   }
-  return location;
 }
 
 }  // namespace
 
-std::optional<Location> locate(const Mesh& mesh, Point p, TriangleId hint) {
-  TriangleId t = hint;
-  for (std::size_t step = 0; step < mesh.triangle_count(); ++step) {
-    // The corner to start at changes from step to step, so the walk cannot circle for ever in a
-    // triangulation that is constrained.
-    const auto e = edge_towards(mesh, t, static_cast<std::uint32_t>(step % 3), p);
-    if (!e) return inside(mesh, t, p);
-    const auto across = mesh.twin(*e);
-    if (!across) break;
-    t = across->triangle;
+bool contains(const Mesh& mesh, TriangleId t, Point p) {
+  const auto [a, b, c] = mesh.corners(t);
+  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
+}
+
+Location location_in(const Mesh& mesh, TriangleId t, Point p) {
+  Location location{t, {}, {}};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (side_of(mesh, {t, i}, p) == 0) location.on_edge = HalfEdge{t, i};
+    if (mesh.point(mesh.vertex(t, i)) == p) location.at_vertex = mesh.vertex(t, i);
   }
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    if (!edge_towards(mesh, TriangleId(i), 0, p)) return inside(mesh, TriangleId(i), p);
+  return location;
+}
+
+WalkEnd walk(const Mesh& mesh, Point p, TriangleId start, std::size_t most_steps,
+             LocateSteps& steps) {
+  XorShift random;
+  WalkEnd end{start, false, {}};
+  std::uint32_t entered_by = 3;  // p is known to be on the left of that edge
+  for (std::size_t step = 0; step < most_steps; ++step) {
+    ++steps.count;
+    std::optional<HalfEdge> leave;
+    const std::uint32_t first = random(3);
+    for (std::uint32_t k = 0; k < 3 && !leave; ++k) {
+      const HalfEdge e{end.triangle, (first + k) % 3};
+      if (e.edge != entered_by && side_of(mesh, e, p) < 0) leave = e;
+    }
+    end.found = !leave;
+    if (end.found) return end;
+    const auto across = mesh.twin(*leave);
+    if (!across) {
+      end.side = leave;
+      return end;
+    }
+    end.triangle = across->triangle;
+    entered_by = across->edge;
+  }
+  return end;
+}
+
+std::optional<Location> locate(const Mesh& mesh, Point p, TriangleId hint, LocateSteps* steps) {
+  LocateSteps own;
+  LocateSteps& counted = steps != nullptr ? *steps : own;
+  if (const auto found = walk_round_holes(mesh, p, hint, counted)) return found;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    ++counted.count;
+    if (contains(mesh, TriangleId(t), p)) return location_in(mesh, TriangleId(t), p);
   }
   return std::nullopt;
+}
+
+std::vector<std::optional<Location>> locate(const Mesh& mesh, std::span<const Point> points,
+                                            LocateSteps* steps) {
+  LocateSteps own;
+  LocateSteps& counted = steps != nullptr ? *steps : own;
+  std::vector<std::optional<Location>> places(points.size());
+  std::optional<Locator> locator;
+  TriangleId hint(0U);
+  for (const std::uint32_t i : spatial_order(points)) {
+    const Point p = points[i];
+    const WalkEnd end = walk(mesh, p, hint, mesh.triangle_count(), counted);
+    if (end.found) {
+      places[i] = location_in(mesh, end.triangle, p);
+    } else {
+      if (!locator) locator.emplace(mesh);
+      places[i] = locator->locate(p, &counted);
+    }
+    if (places[i]) hint = places[i]->triangle;
+  }
+  return places;
 }
 
 }  // namespace lepp

@@ -146,6 +146,50 @@ void Mesh::take_place_of(HalfEdge e, HalfEdge old) {
   set_constrained_flag(e, constrained);
 }
 
+std::optional<TriangleId> Mesh::remove_triangle(TriangleId t) {
+  const TriangleId last(triangles_.size() - 1);
+  if (t != last) {
+    triangles_[t.index()] = triangles_[last.index()];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (const auto across = twin({t, i})) link({t, i}, *across);
+      std::uint32_t& leaving = leaving_[origin({t, i}).index()];
+      if (leaving == code({last, i})) leaving = code({t, i});
+    }
+  }
+  triangles_.pop_back();
+  return t != last ? std::optional(last) : std::nullopt;
+}
+
+std::optional<VertexId> Mesh::remove_vertex(VertexId v) {
+  const VertexId last(points_.size() - 1);
+  if (v != last) {
+    assert(!is_input(last));
+    for_each_in_fan(*this, last, [&](TriangleId t, std::uint32_t corner) {
+      const std::uint32_t next = next_corner(corner), previous = previous_corner(corner);
+      if (is_constrained({t, previous})) move_record(vertex(t, next), last, v);
+      if (is_constrained({t, next})) move_record(vertex(t, previous), last, v);
+      triangles_[t.index()].vertices[corner] = v;
+    });
+    points_[v.index()] = points_[last.index()];
+    origins_[v.index()] = origins_[last.index()];
+    leaving_[v.index()] = leaving_[last.index()];
+  }
+  points_.pop_back();
+  origins_.pop_back();
+  leaving_.pop_back();
+  return v != last ? std::optional(last) : std::nullopt;
+}
+
+// Edge (end, from) becomes (end, to). An edge is seen from two sides, so it may be done already.
+void Mesh::move_record(VertexId end, VertexId from, VertexId to) {
+  const auto record = find_record(end, from);
+  if (!record) return;
+  erase_record(end, from);
+  ConstrainedEdge moved = *record;
+  if ((end < from) != (end < to)) std::swap(moved.t_low, moved.t_high);
+  set_record(end, to, moved);
+}
+
 void Mesh::set_constrained_flag(HalfEdge e, bool constrained) {
   std::uint32_t& flags = triangles_[e.triangle.index()].constrained_;
   const std::uint32_t bit = 1U << e.edge;

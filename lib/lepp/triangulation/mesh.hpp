@@ -159,6 +159,13 @@ class Mesh {
   void set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c);
   /// Repairs leaving(v) for corners of `t` whose half-edge no longer starts at them.
   void refresh_leaving(TriangleId t);
+  /// Removes `t`, which no link and no leaving() refers to: the last triangle takes its id.
+  /// \return the id that this triangle had, unless it was `t` itself.  O(1)
+  std::optional<TriangleId> remove_triangle(TriangleId t);
+  /// Removes `v`, which no triangle and no record refers to: the last vertex takes its id, also in
+  /// the records of its constrained edges. \pre the last vertex has one fan and is not of the input
+  /// \return the id that this vertex had, unless it was `v` itself.  O(degree)
+  std::optional<VertexId> remove_vertex(VertexId v);
   void set_region(TriangleId t, SurfaceId region) { triangles_[t.index()].region_ = region; }
   /// Makes `e` and `f` the two sides of one edge.
   void link(HalfEdge e, HalfEdge f);
@@ -182,6 +189,7 @@ class Mesh {
   static std::uint32_t code(HalfEdge e) { return 4 * e.triangle.value + e.edge; }
   static HalfEdge half_edge(std::uint32_t code) { return {TriangleId(code / 4), code % 4}; }
 
+  void move_record(VertexId end, VertexId from, VertexId to);
   void share_record(const ConstrainedEdge& old, VertexId a, VertexId b, SegmentId s);
 
   std::vector<Point> points_;

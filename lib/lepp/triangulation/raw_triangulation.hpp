@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lepp/geometry/xorshift.hpp"
 #include "lepp/triangulation/mesh.hpp"
 
 namespace lepp {
@@ -19,10 +20,10 @@ class RawTriangulation {
   using Code = std::uint32_t;
   static constexpr VertexId ghost{0xFFFFFFFFU};
 
-  std::vector<Point> points;             ///< of the vertices
-  std::vector<std::uint32_t> input;      ///< for each vertex, the input point it comes from
-  std::vector<Triangle> triangles;       ///< 2 (vertices - 1) of them
-  std::vector<Code> leaving;             ///< for each vertex, an edge that starts there
+  std::vector<Point> points;         ///< of the vertices
+  std::vector<std::uint32_t> input;  ///< for each vertex, the input point it comes from
+  std::vector<Triangle> triangles;   ///< 2 (vertices - 1) of them
+  std::vector<Code> leaving;         ///< for each vertex, an edge that starts there
 
   static std::uint32_t triangle_of(Code e) { return e >> 2; }
   static std::uint32_t edge_of(Code e) { return e & 3; }
@@ -95,8 +96,8 @@ class RawTriangulation {
                                        const std::vector<std::uint32_t>& vertex);
 
   struct Place {
-    std::uint32_t triangle;         ///< a ghost if the point is outside the hull
-    bool on_constrained = false;    ///< exactly on a constrained edge or at an end of one
+    std::uint32_t triangle;       ///< a ghost if the point is outside the hull
+    bool on_constrained = false;  ///< exactly on a constrained edge or at an end of one
   };
   /// A walk from triangle `start` to the one that holds p. Randomized, because constrained edges
   /// could make a straight rule go round in circles.
@@ -105,20 +106,6 @@ class RawTriangulation {
  private:
   /// p is a corner of `t` at which a constrained edge ends.
   bool is_constrained_vertex_at(std::uint32_t t, Point p) const;
-};
-
-/// A small generator of pseudo-random numbers, the same on every machine [marsaglia2003].
-class XorShift {
- public:
-  std::uint32_t operator()(std::size_t below) {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return static_cast<std::uint32_t>((state_ >> 32) * below >> 32);
-  }
-
- private:
-  std::uint64_t state_ = 0x9E3779B97F4A7C15U;
 };
 
 }  // namespace lepp
