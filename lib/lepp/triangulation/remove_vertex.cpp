@@ -14,7 +14,7 @@ namespace lepp {
 
 namespace {
 
-// The constrained edges that end at v, from the other end to v, each once.
+// The other ends of the constrained edges that end at v.
 std::vector<VertexId> constrained_neighbours(const Mesh& mesh, VertexId v) {
   std::vector<VertexId> ends;
   for_each_in_fan(mesh, v, [&](TriangleId t, std::uint32_t corner) {
@@ -105,13 +105,12 @@ class StarOf {
     const auto at = [&](std::size_t i) { return (j + i) % star.size(); };
 
     const TriangleId t = star[at(0)].triangle;
-    filled_ = {t};
-    free_ = {star[at(1)].triangle};
-    mesh_.set_vertices(t, p[0], p[1], p[2]);
-    outer[at(0)].attach(mesh_, {t, 2});
-    outer[at(1)].attach(mesh_, {t, 0});
+    put(t, {p[0], p[1], p[2]}, outer[at(0)], outer[at(1)]);
+    for (std::size_t i = 1; i < star.size(); ++i) {
+      if (i == 2 && star.size() == 4) continue;
+      free_.push_back(star[at(i)].triangle);
+    }
     if (star.size() == 3) {
-      free_.push_back(star[at(2)].triangle);
       outer[at(2)].attach(mesh_, {t, 1});
     } else if (star.size() == 2) {
       mesh_.unlink({t, 1});
@@ -119,16 +118,22 @@ class StarOf {
     } else {
       assert(star.size() == 4);
       const TriangleId u = star[at(2)].triangle;
-      filled_.push_back(u);
-      free_.push_back(star[at(3)].triangle);
-      mesh_.set_vertices(u, p[2], p[3], p[0]);
-      outer[at(2)].attach(mesh_, {u, 2});
-      outer[at(3)].attach(mesh_, {u, 0});
+      put(u, {p[2], p[3], p[0]}, outer[at(2)], outer[at(3)]);
       mesh_.link({t, 1}, {u, 1});
       mesh_.set_constrained_flag({t, 1}, !constrained_.empty());
       mesh_.set_constrained_flag({u, 1}, !constrained_.empty());
     }
-    for (const TriangleId f : filled_) suspects_.insert(suspects_.end(), {{f, 0}, {f, 1}, {f, 2}});
+  }
+
+  // Makes `t` the triangle a b c, with what lies beyond ab and bc; beyond ca is the caller's.
+  void put(TriangleId t, const std::array<VertexId, 3>& corners, const OuterEdge& ab,
+           const OuterEdge& bc) {
+    const auto [a, b, c] = corners;
+    mesh_.set_vertices(t, a, b, c);
+    ab.attach(mesh_, {t, 2});
+    bc.attach(mesh_, {t, 0});
+    filled_.push_back(t);
+    suspects_.insert(suspects_.end(), {{t, 0}, {t, 1}, {t, 2}});
   }
 
   // p_i. The last triangle of an open fan of two has a corner that no other one starts at.
@@ -139,8 +144,9 @@ class StarOf {
 
   // Where the diagonal starts: at a constrained edge, else where both triangles come out positive.
   std::size_t diagonal_start(const std::vector<HalfEdge>& star) const {
-    if (!constrained_.empty())
-      return corner(star, 0) == constrained_[0] || corner(star, 0) == constrained_[1] ? 0 : 1;
+    if (!constrained_.empty()) {
+      return std::ranges::find(constrained_, corner(star, 0)) != constrained_.end() ? 0 : 1;
+    }
     std::array<Point, 4> p;
     for (std::size_t i = 0; i < 4; ++i) p[i] = mesh_.point(corner(star, i));
     return orient2d(p[0], p[1], p[2]) > 0 && orient2d(p[2], p[3], p[0]) > 0 ? 0 : 1;
