@@ -96,11 +96,11 @@ Triangulation constrained_delaunay(const Pslg& pslg) {
                          : "all " + std::to_string(hull.vertex_count()) + " points are collinear",
                      "give at least three points that span an area");
   }
-  check_width(hull, pslg);
   set_entities(hull, pslg, vertex_of);
   add_segments(hull, pslg, vertex_of, report);
   insert_segments(hull, pslg, report);
   const auto regions = find_regions(hull, pslg, report);
+  if (report.convex_hull) check_width(hull, pslg);
   Mesh mesh = extract_regions(hull, regions, report);
 
   report.vertex_of_point.resize(pslg.points.size());
