@@ -12,7 +12,8 @@ TEST_CASE("edge records behave like a map, whatever is added, replaced and remov
   EdgeRecords records;
   std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeRecords::Record> oracle;
   for (int i = 0; i < 100000; ++i) {
-    const auto a = static_cast<std::uint32_t>(random() % 40), b = 40 + random() % 40;
+    const auto a = static_cast<std::uint32_t>(random() % 40);
+    const auto b = static_cast<std::uint32_t>(40 + random() % 40);
     const bool swapped = random() % 2 != 0;
     const VertexId u(swapped ? b : a), v(swapped ? a : b);
     if (random() % 3 == 0) {

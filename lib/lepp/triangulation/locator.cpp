@@ -67,15 +67,18 @@ std::uint32_t Locator::bucket_of(Grid grid, std::int64_t column, std::int64_t ro
 
 template <class Visit>
 void Locator::for_each_bucket(const Cells& cells, Visit visit) const {
-  std::array<std::uint32_t, 4> buckets{};
-  auto end = buckets.begin();
+  std::array<std::uint32_t, 4> seen{};  // two cells may share a bucket; once is enough
+  std::size_t count = 0;
   for (std::int64_t column = cells.columns[0]; column <= cells.columns[1]; ++column) {
     for (std::int64_t row = cells.rows[0]; row <= cells.rows[1]; ++row) {
-      *end++ = bucket_of(cells.grid, column, row);
+      const std::uint32_t bucket = bucket_of(cells.grid, column, row);
+      bool is_new = true;
+      for (std::size_t i = 0; i < count; ++i) is_new = is_new && seen[i] != bucket;
+      if (!is_new) continue;
+      seen[count++] = bucket;
+      visit(bucket);
     }
   }
-  std::sort(buckets.begin(), end);  // two cells may share a bucket; once is enough
-  std::for_each(buckets.begin(), std::unique(buckets.begin(), end), visit);
 }
 
 void Locator::collect_grids(const std::vector<double>& areas) {
