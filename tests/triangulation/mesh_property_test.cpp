@@ -27,7 +27,7 @@ Mesh mesh_of(const SmallPslg& small) {
   return std::move(trial.result->mesh);
 }
 
-bool contains(const Mesh& mesh, TriangleId t, Point p) {
+bool is_in(const Mesh& mesh, TriangleId t, Point p) {
   const auto [a, b, c] = mesh.corners(t);
   return oracle_orient2d(a, b, p) >= 0 && oracle_orient2d(b, c, p) >= 0 &&
          oracle_orient2d(c, a, p) >= 0;
@@ -35,7 +35,7 @@ bool contains(const Mesh& mesh, TriangleId t, Point p) {
 
 bool is_in_any(const Mesh& mesh, Point p) {
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    if (contains(mesh, TriangleId(t), p)) return true;
+    if (is_in(mesh, TriangleId(t), p)) return true;
   }
   return false;
 }
@@ -68,7 +68,7 @@ TEST_CASE("locate finds the triangle from any hint, and nothing outside") {
       const auto found = locate(mesh, p, hint);
       RC_ASSERT(found.has_value() == is_in_any(mesh, p));
       if (!found) continue;
-      RC_ASSERT(contains(mesh, found->triangle, p));
+      RC_ASSERT(is_in(mesh, found->triangle, p));
       bool on_edge = false;
       for (std::uint32_t i = 0; i < 3; ++i) {
         const HalfEdge e{found->triangle, i};

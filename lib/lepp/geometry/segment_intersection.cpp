@@ -95,10 +95,4 @@ int order_along(Point a, Point b, Point p, Point q) {
   return (along_x + along_y).sign();
 }
 
-double signed_double_area(Point a, Point b, Point c) {
-  const auto left = difference(a.x, c.x) * difference(b.y, c.y);
-  const auto right = difference(a.y, c.y) * difference(b.x, c.x);
-  return leading(left - right).value;
-}
-
 }  // namespace lepp

@@ -31,7 +31,4 @@ Point crossing_point(Point a, Point b, Point c, Point d);
 /// +1 if q lies further than p in the direction from a to b, -1 if less far, 0 if neither, exactly.
 int order_along(Point a, Point b, Point p, Point q);
 
-/// Twice the signed area of the triangle abc, correct to the last bit or two, however small.
-double signed_double_area(Point a, Point b, Point c);
-
 }  // namespace lepp

@@ -50,7 +50,7 @@ struct Triangulation {
 ///          are not collinear; a hole that reaches the outside; surfaces that overlap or whose
 ///          boundary is not closed. RefusedError on more than 1.07e9 triangles.
 /// Cost     O(n log n) expected for points and segments of a few edges each.
-/// Source   docs/algorithms/constrained_delaunay.md [sloan1993]
+/// Source   docs/algorithms/constrained_delaunay.md [bowyer1981] [amenta2003]
 Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& options = {});
 
 /// A mesh from triangles that exist already, as read from a file.
