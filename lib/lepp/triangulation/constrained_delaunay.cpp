@@ -131,7 +131,7 @@ Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions&
   check_count(pslg);
   TriangulationReport report;
   RawTriangulation raw;
-  const std::vector<VertexId> vertex_of = add_vertices(raw, pslg, report);
+  std::vector<VertexId> vertex_of = add_vertices(raw, pslg, report);
   triangulate(raw, pslg);
   raw.find_leaving();
   note_zero_length(pslg, vertex_of, report);
@@ -139,7 +139,7 @@ Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions&
   Regions regions = find_regions(raw, pslg, pieces, report);
   if (report.convex_hull) check_width(raw, pslg);  // an area that segments close off is meant
   Mesh mesh = mesh_of_regions(std::move(raw), std::move(regions), pslg, std::move(pieces),
-                              vertex_of, report);
+                              std::move(vertex_of), report);
   note(report, report.points_outside, "points lie outside the domain and are not in the mesh");
   note(report, report.segments_outside, "segments lie partly or wholly outside the domain");
   return {std::move(mesh), std::move(report)};

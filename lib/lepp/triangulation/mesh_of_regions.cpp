@@ -14,16 +14,18 @@ constexpr std::uint32_t unused = 0xFFFFFFFFU;
 class MeshOfRegions {
  public:
   MeshOfRegions(RawTriangulation& raw, Regions& regions, const Pslg& pslg,
-                const std::vector<VertexId>& vertex_of, TriangulationReport& report)
+                std::vector<VertexId>& vertex_of, TriangulationReport& report)
       : raw_(raw), regions_(regions), pslg_(pslg), vertex_of_(vertex_of), report_(report) {}
 
+  // In an order that lets go of each array before the next one is made.
   Mesh run(SegmentPieces& pieces) {
     mesh_.set_source(pslg_.source, pslg_.base);
     mark_vertices();
     drop_outside(pieces);
     raw_.points = {};
-    add_vertices();
+    number_vertices();
     auto triangles = raw_.take_triangles(regions_.of_label, vertex_);
+    add_vertices();
     mesh_.adopt(std::move(triangles), raw_.leaving, vertex_);
     raw_.leaving = {};
     set_segments(pieces);
@@ -76,31 +78,35 @@ class MeshOfRegions {
     report_.segments_outside = losers.size();
   }
 
-  // Numbers the vertices in input order; a point with an earlier copy shares its vertex.
-  void add_vertices() {
-    const auto count = static_cast<std::size_t>(
-        std::ranges::count_if(vertex_, [](std::uint32_t v) { return v != unused; }));
-    report_.points_outside = vertex_.size() - count;
+  // In input order; a point with an earlier copy shares its vertex.
+  void number_vertices() {
     report_.vertex_of_point.resize(vertex_of_.size());
-    mesh_.reserve(count, 0);
     const bool has_copies = report_.duplicate_points > 0;
     for (std::uint32_t i = 0; i < vertex_of_.size(); ++i) {
       const std::size_t v = vertex_of_[i].index();
       if (vertex_[v] == unused) continue;
-      if (!has_copies || raw_.input[v] == i) {
-        vertex_[v] = mesh_.add_vertex(pslg_.points[i], {VertexOrigin::Kind::input, i}).value;
-      }
+      if (!has_copies || raw_.input[v] == i) vertex_[v] = vertices_++;
       report_.vertex_of_point[i] = VertexId(vertex_[v]);
     }
+    report_.points_outside = vertex_.size() - vertices_;
+    vertex_of_ = {};
     raw_.input = {};
   }
 
-  // Where vertex v lies on the curve of segment s.
+  void add_vertices() {
+    mesh_.reserve(vertices_, 0);
+    for (std::uint32_t i = 0; i < report_.vertex_of_point.size(); ++i) {
+      const auto v = report_.vertex_of_point[i];
+      if (!v || v->index() != mesh_.vertex_count()) continue;  // outside, or a copy
+      mesh_.add_vertex(pslg_.points[i], {VertexOrigin::Kind::input, i});
+    }
+  }
+
+  // Where vertex v of the mesh lies on the curve of segment s.
   double parameter(const Segment& s, VertexId v) const {
-    if (v == vertex_of_[s.a.index()]) return s.t_a;
-    if (v == vertex_of_[s.b.index()]) return s.t_b;
-    const Point a = pslg_.points[s.a.index()], b = pslg_.points[s.b.index()];
-    const Point p = mesh_.point(in_mesh(v));
+    if (v == report_.vertex_of_point[s.a.index()]) return s.t_a;
+    if (v == report_.vertex_of_point[s.b.index()]) return s.t_b;
+    const Point a = pslg_.points[s.a.index()], b = pslg_.points[s.b.index()], p = mesh_.point(v);
     const double along = std::sqrt(squared_distance(a, p) / squared_distance(a, b));
     return s.t_a + along * (s.t_b - s.t_a);
   }
@@ -109,13 +115,13 @@ class MeshOfRegions {
 
   Segment segment_of(const SegmentPiece& piece) const {
     const Segment& whole = pslg_.segments[piece.segment.index()];
-    return {in_mesh(piece.a), in_mesh(piece.b), whole.curve, parameter(whole, piece.a),
-            parameter(whole, piece.b)};
+    const VertexId a = in_mesh(piece.a), b = in_mesh(piece.b);
+    return {a, b, whole.curve, parameter(whole, a), parameter(whole, b)};
   }
 
-  void set_segments(const SegmentPieces& pieces) {
-    const auto& first = pieces.first;
-    const auto& further = pieces.further;
+  void set_segments(SegmentPieces& pieces) {
+    auto& first = pieces.first;
+    auto& further = pieces.further;
     const std::vector<HalfEdge> open = open_sides();
     std::vector<Segment> segments;
     segments.reserve(first.size() + further.size() + open.size());
@@ -129,6 +135,8 @@ class MeshOfRegions {
     for (const HalfEdge e : open) {
       segments.push_back({mesh_.origin(e), mesh_.destination(e), {}, 0, 1});
     }
+    first = {};
+    vertex_ = {};
     mesh_.set_segments(std::move(segments));
     mesh_.own_edges(owners_again);
     for (const HalfEdge e : open) mesh_.set_constrained_flag(e, true);
@@ -162,17 +170,18 @@ class MeshOfRegions {
   RawTriangulation& raw_;
   Regions& regions_;
   const Pslg& pslg_;
-  const std::vector<VertexId>& vertex_of_;
+  std::vector<VertexId>& vertex_of_;
   TriangulationReport& report_;
   Mesh mesh_;
   std::vector<std::uint32_t> vertex_;  // of the mesh, for each vertex of raw_
   std::vector<bool> border_;
+  std::uint32_t vertices_ = 0;  // of the mesh
 };
 
 }  // namespace
 
 Mesh mesh_of_regions(RawTriangulation raw, Regions regions, const Pslg& pslg, SegmentPieces pieces,
-                     const std::vector<VertexId>& vertex_of, TriangulationReport& report) {
+                     std::vector<VertexId> vertex_of, TriangulationReport& report) {
   return MeshOfRegions(raw, regions, pslg, vertex_of, report).run(pieces);
 }
 

@@ -17,6 +17,6 @@ namespace lepp {
 /// so a segment ends at every one it passes through, and edges that meet there are known to meet.
 /// \param vertex_of  for each input point its vertex in `raw`
 Mesh mesh_of_regions(RawTriangulation raw, Regions regions, const Pslg& pslg, SegmentPieces pieces,
-                     const std::vector<VertexId>& vertex_of, TriangulationReport& report);
+                     std::vector<VertexId> vertex_of, TriangulationReport& report);
 
 }  // namespace lepp
