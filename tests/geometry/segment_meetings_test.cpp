@@ -29,7 +29,7 @@ TEST_CASE("what is found equals what comparing each pair with each finds") {
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   std::size_t pairs = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 2'000; ++i) {
     CAPTURE(i);
     const Pslg pslg = test::hard_pslg(random, 60, 80);
     const SegmentMeetings found = find_segment_meetings(pslg), plain = test::plain_meetings(pslg);
@@ -41,7 +41,7 @@ TEST_CASE("what is found equals what comparing each pair with each finds") {
     REQUIRE(found.none() == validate(pslg).empty());
     pairs += found.pairs.size();
   }
-  CHECK(pairs > 100'000);
+  CHECK(pairs > 10'000);
 }
 
 TEST_CASE("a fan of many spokes: only those of one direction meet") {

@@ -46,7 +46,7 @@ TEST_CASE("nearly degenerate segments are split so that none meet elsewhere than
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   std::size_t made = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 5'000; ++i) {
     CAPTURE(i);
     const Pslg pslg = test::hard_pslg(random);
     const SplitPslg split = split_crossings(pslg);
