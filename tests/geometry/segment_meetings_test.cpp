@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -29,7 +28,7 @@ TEST_CASE("what is found equals what comparing each pair with each finds") {
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   std::size_t pairs = 0;
-  for (int i = 0; i < 2'000; ++i) {
+  for (int i = 0; i < 300; ++i) {
     CAPTURE(i);
     const Pslg pslg = test::hard_pslg(random, 60, 80);
     const SegmentMeetings found = find_segment_meetings(pslg), plain = test::plain_meetings(pslg);
@@ -41,7 +40,7 @@ TEST_CASE("what is found equals what comparing each pair with each finds") {
     REQUIRE(found.none() == validate(pslg).empty());
     pairs += found.pairs.size();
   }
-  CHECK(pairs > 10'000);
+  CHECK(pairs > 1'500);
 }
 
 TEST_CASE("a fan of many spokes: only those of one direction meet") {
@@ -65,16 +64,13 @@ TEST_CASE("a fan of many spokes: only those of one direction meet") {
 
 TEST_CASE("long segments side by side cost no more than short ones") {
   std::vector<std::pair<Point, Point>> upright, slanted;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 100'000; ++i) {  // comparing each with each would reach the time limit
     upright.push_back({{1.0 * i, 0}, {1.0 * i, 1e5}});
-    slanted.push_back({{1e-5 * i, 0}, {1 + 1e-5 * i, 1}});
+    slanted.push_back({{1e-6 * i, 0}, {1 + 1e-6 * i, 1}});
   }
   for (const auto& pieces : {upright, slanted}) {
     const Pslg pslg = separate(pieces);
-    const auto start = std::chrono::steady_clock::now();
     CHECK(find_segment_meetings(pslg).none());
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    CHECK(elapsed.count() < 1);  // comparing each with each takes minutes under sanitizers
   }
 }
 
