@@ -65,5 +65,4 @@ TEST_CASE("an open fan is cut on both sides of the spoke that comes first") {
 TEST_CASE("cutting a fan of thousands of spokes takes time in proportion") {
   Mesh mesh = constrained_delaunay(wheel(4000)).mesh;
   CHECK(cut_spoke(mesh, 1) == 4000);
-  // Quadratic, it took most of a minute.
 }
