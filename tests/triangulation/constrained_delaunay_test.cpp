@@ -176,6 +176,22 @@ TEST_CASE("inputs without area, and holes that leak, are refused") {
   CHECK(contains(error_of(leaky), "not enclosed"));
 }
 
+TEST_CASE("a hole or seed at the end of a segment is on it, whichever triangle it is found in") {
+  // A square with one segment inside that ends at (2, 1), a vertex of many triangles.
+  const std::vector<double> xy{0, 0, 4, 0, 4, 4, 0, 4, 1, 1, 2, 1};
+  const std::vector<std::uint32_t> ends{0, 1, 1, 2, 2, 3, 3, 0, 4, 5};
+  for (const Point p : {Point{2, 1}, Point{1, 1}, Point{1.5, 1}, Point{4, 4}}) {
+    CAPTURE(p.x);
+    Pslg hole = pslg_from_arrays(xy, ends);
+    hole.holes = {p};
+    CHECK(contains(error_of(hole), "lies on a segment"));
+    Pslg seed = pslg_from_arrays(xy, ends);
+    seed.entities.surfaces.emplace_back();
+    seed.seeds = {{p, SurfaceId(0U)}};
+    CHECK(contains(error_of(seed), "lies on a segment"));
+  }
+}
+
 TEST_CASE("random PSLGs with coincidences, rotations and offsets: M1 to M6, or a named error") {
   const unsigned seed = 71;
   CAPTURE(seed);
