@@ -45,10 +45,13 @@ std::size_t points_inside(const Pslg& pslg, const SegmentMeetings& found) {
   return inside.size();
 }
 
-// Nothing for the inputs with coordinates outside the supported range, which the reader refuses.
-std::optional<Pslg> read_if_in_range(const std::filesystem::path& file) {
+// Nothing if the file is not there, or has coordinates outside the supported range, which the
+// reader refuses.
+std::optional<Pslg> real_pslg(const Row& row) {
+  const auto file = test::real_input(row.at("file"));
+  if (!file) return std::nullopt;
   try {
-    return test::read_foreign_pslg(file);
+    return test::read_foreign_pslg(*file);
   } catch (const InputError& error) {
     CHECK(error.problem().find("outside the supported range") != std::string::npos);
     return std::nullopt;
@@ -66,10 +69,8 @@ TEST_CASE("real PSLGs: duplicates, crossings and overlaps are counted as others 
   const auto rows = test::table("pslg_properties.csv");
   CHECK((rows.size() > 200 || !test::has_real_inputs()));
   for (const Row& row : rows) {
-    const auto file = test::real_input(row.at("file"));
-    if (!file) continue;
     CAPTURE(row.at("file"));
-    const auto read = read_if_in_range(*file);
+    const auto read = real_pslg(row);
     if (!read) continue;
     const Pslg& pslg = *read;
     const SegmentMeetings found = find_segment_meetings(pslg);
@@ -88,10 +89,8 @@ TEST_CASE("real PSLGs: duplicates, crossings and overlaps are counted as others 
 TEST_CASE("real PSLGs: a valid mesh once crossings are split, else an error that says where") {
   std::size_t meshed = 0;
   for (const Row& row : test::table("pslg_properties.csv")) {
-    const auto file = test::real_input(row.at("file"));
-    if (!file) continue;
     CAPTURE(row.at("file"));
-    const auto read = read_if_in_range(*file);
+    const auto read = real_pslg(row);
     if (!read) continue;
     const Pslg& pslg = *read;
     const bool crosses = row.at("crossing_pairs") != "0";
@@ -115,10 +114,8 @@ TEST_CASE("real PSLGs: a valid mesh once crossings are split, else an error that
 
 TEST_CASE("real PSLGs: splitting leaves nothing to split, and no point moves") {
   for (const Row& row : test::table("pslg_properties.csv")) {
-    const auto file = test::real_input(row.at("file"));
-    if (!file) continue;
     CAPTURE(row.at("file"));
-    const auto read = read_if_in_range(*file);
+    const auto read = real_pslg(row);
     if (!read) continue;
     const Pslg& pslg = *read;
     const SplitPslg split = split_crossings(pslg);

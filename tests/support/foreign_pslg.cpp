@@ -42,19 +42,19 @@ void add_polygon(Pslg& pslg, const Json& rings) {
 }
 
 void add_geojson(Pslg& pslg, const Json& root) {
-  std::vector<const Json*> todo{&root};
-  while (!todo.empty()) {  // each turn takes one node of a finite tree
-    const Json& node = *todo.back();
-    todo.pop_back();
+  std::vector<const Json*> pending{&root};
+  while (!pending.empty()) {  // each turn takes one node of a finite tree
+    const Json& node = *pending.back();
+    pending.pop_back();
     if (node.is_null()) continue;
     const std::string type = node.at("type");
     const auto children = [&](const char* key) {
       const Json& list = node.at(key);
-      for (auto child = list.rbegin(); child != list.rend(); ++child) todo.push_back(&*child);
+      for (auto child = list.rbegin(); child != list.rend(); ++child) pending.push_back(&*child);
     };
     if (type == "FeatureCollection") children("features");
     else if (type == "GeometryCollection") children("geometries");
-    else if (type == "Feature") todo.push_back(&node.at("geometry"));
+    else if (type == "Feature") pending.push_back(&node.at("geometry"));
     else if (type == "Polygon") add_polygon(pslg, node.at("coordinates"));
     else if (type == "LineString") add_line(pslg, points_from(node.at("coordinates")));
     else if (type == "MultiPolygon") {

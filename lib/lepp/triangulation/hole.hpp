@@ -44,7 +44,7 @@ class SegmentHole {
   };
 
   void add_border(std::vector<Border>& side, Code edge);
-  /// Triangulates right of border edges [begin, end), `last` being where the last of them ends.
+  /// Triangulates left of border edges [begin, end), `last` being where the last of them ends.
   /// \return the edge of a new triangle that closes the half, along the segment
   Code scan(std::size_t begin, std::size_t end, VertexId last);
   Code cut_corner(VertexId w, const Entry& to_w);
