@@ -31,7 +31,8 @@ int run(MeshCommand& command) {
   check_mesh_target(command.output, command.input);
   check_report_target(command.json, command.input, files_of(command.output.target));
   command.mesh.nonobtuse = !command.no_nonobtuse;
-  command.mesh.crossings = command.split_crossings ? Crossings::split : Crossings::refuse;
+  command.mesh.triangulation.crossings =
+      command.split_crossings ? Crossings::split : Crossings::refuse;
   command.gmsh.keep_going = [] { return !interrupted(); };
   const Input input = read_input(command.input, command.gmsh);
   const double reading = seconds_since(start);
@@ -127,6 +128,9 @@ void add_mesh_command(CLI::App& app, int& status) {
                 "give crossing segments a common point instead of refusing them");
   mesh.add_flag("--certify", command->mesh.certify,
                 "certify the Voronoi boxes even with --min-angle 0 --no-nonobtuse");
+  mesh.add_option("--threads", command->mesh.triangulation.threads,
+                  "threads for large inputs; the mesh does not depend on it (default: as many as "
+                  "the machine has; at most two are used)");
   mesh.add_flag("--remesh", command->mesh.remesh,
                 "of a mesh keep only outline, interfaces and lines, and start anew");
   mesh.add_flag("--allow-unfinished", command->allow_unfinished,

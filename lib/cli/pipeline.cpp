@@ -69,7 +69,7 @@ class Pipeline {
       });
     } else {
       report_.seconds.triangulate =
-          timed([&] { made = constrained_delaunay(input_.pslg, {options_.crossings}); });
+          timed([&] { made = constrained_delaunay(input_.pslg, options_.triangulation); });
     }
     mesh_ = std::move(made.mesh);
     const auto& found = made.report.warnings;

@@ -18,8 +18,8 @@ struct MeshOptions {
   Method method = Method::unified;
   bool nonobtuse = true;
   bool certify = false;  ///< the Voronoi boxes, even if no bound on angles is asked for
-  bool remesh = false;  ///< of a mesh file keep only the outline, interfaces and lines
-  Crossings crossings = Crossings::refuse;
+  bool remesh = false;   ///< of a mesh file keep only the outline, interfaces and lines
+  TriangulationOptions triangulation;
 };
 
 /// A mesh with everything that was found out about it.

@@ -14,7 +14,7 @@ struct Components {
 };
 
 /// Labels each triangle with its component, 1 to count, in the order of their first triangles;
-/// ghosts get 0. Cost O(triangles).
-Components label_components(RawTriangulation& raw);
+/// ghosts get 0. At most two threads are of use. Cost O(triangles).
+Components label_components(RawTriangulation& raw, unsigned threads);
 
 }  // namespace lepp

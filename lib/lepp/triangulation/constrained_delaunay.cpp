@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <thread>
 
 #include "lepp/geometry/split_crossings.hpp"
 #include "lepp/triangulation/delaunay.hpp"
@@ -53,8 +54,8 @@ void check_count(const Pslg& pslg) {
                      "split the domain");
 }
 
-void triangulate(RawTriangulation& raw, const Pslg& pslg) {
-  if (raw.points.size() >= 3 && triangulate_points(raw)) return;
+void triangulate(RawTriangulation& raw, const Pslg& pslg, unsigned threads) {
+  if (raw.points.size() >= 3 && triangulate_points(raw, {.threads = threads})) return;
   throw InputError(pslg.source,
                    raw.points.size() < 3
                        ? "has " + std::to_string(raw.points.size()) +
@@ -111,11 +112,17 @@ void note(TriangulationReport& report, std::size_t count, const std::string& wha
   if (count > 0) report.warnings.push_back(std::to_string(count) + " " + what);
 }
 
+// Starting a thread takes as long as a thousand points.
+unsigned threads_for(const Pslg& pslg, const TriangulationOptions& options) {
+  if (pslg.points.size() < 20'000) return 1;
+  return options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
+}
+
 // Splits what crosses first; then nothing is left to refuse.
-Triangulation split_and_triangulate(const Pslg& pslg) {
+Triangulation split_and_triangulate(const Pslg& pslg, const TriangulationOptions& options) {
   check_ids_and_range(pslg);
   const SplitPslg split = split_crossings(pslg);
-  Triangulation made = constrained_delaunay(split.pslg, {Crossings::refuse});
+  Triangulation made = constrained_delaunay(split.pslg, {Crossings::refuse, options.threads});
   made.report.crossings_split = split.crossings_split;
   made.report.points_on_segments += split.points_on_segments;
   made.report.vertex_of_point.resize(pslg.points.size());
@@ -126,20 +133,21 @@ Triangulation split_and_triangulate(const Pslg& pslg) {
 }  // namespace
 
 Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions& options) {
-  if (options.crossings == Crossings::split) return split_and_triangulate(pslg);
+  if (options.crossings == Crossings::split) return split_and_triangulate(pslg, options);
   check_ids_and_range(pslg);
   check_count(pslg);
+  const unsigned threads = threads_for(pslg, options);
   TriangulationReport report;
   RawTriangulation raw;
   std::vector<VertexId> vertex_of = add_vertices(raw, pslg, report);
-  triangulate(raw, pslg);
+  triangulate(raw, pslg, threads);
   raw.find_leaving();
   note_zero_length(pslg, vertex_of, report);
   SegmentPieces pieces = insert_segments(raw, pslg, vertex_of, report);
-  Regions regions = find_regions(raw, pslg, pieces, report);
+  Regions regions = find_regions(raw, pslg, pieces, report, threads);
   if (report.convex_hull) check_width(raw, pslg);  // an area that segments close off is meant
   Mesh mesh = mesh_of_regions(std::move(raw), std::move(regions), pslg, std::move(pieces),
-                              std::move(vertex_of), report);
+                              std::move(vertex_of), report, threads);
   note(report, report.points_outside, "points lie outside the domain and are not in the mesh");
   note(report, report.segments_outside, "segments lie partly or wholly outside the domain");
   return {std::move(mesh), std::move(report)};

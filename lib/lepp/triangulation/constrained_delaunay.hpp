@@ -17,6 +17,9 @@ enum class Crossings {
 
 struct TriangulationOptions {
   Crossings crossings = Crossings::refuse;
+  /// How many threads may work on large inputs; at most two are used. 0: as many as the machine
+  /// has. The mesh does not depend on it.
+  unsigned threads = 0;
 };
 
 /// What was tidied up on the way from a PSLG to its triangulation. Numbers are the user's.

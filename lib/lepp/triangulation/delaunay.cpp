@@ -1,9 +1,12 @@
 #include "lepp/triangulation/delaunay.hpp"
 
+#include <array>
 #include <bit>
 #include <utility>
 
 #include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/two_threads.hpp"
+#include "lepp/triangulation/merge_halves.hpp"
 
 namespace lepp {
 
@@ -25,9 +28,12 @@ std::vector<std::uint8_t> choose_rounds(std::size_t count) {
   return rounds;
 }
 
+// A range of the vertices, [begin, end), and the first of the 2 (end - begin - 1) triangles that
+// they get. Two of these can be at work at the same time.
 class Inserter {
  public:
-  explicit Inserter(RawTriangulation& raw) : raw_(raw) {}
+  Inserter(RawTriangulation& raw, std::uint32_t first_triangle)
+      : raw_(raw), last_(first_triangle), unused_(first_triangle) {}
 
   // One triangle (a, b, c) and the three ghosts around it.
   //
@@ -38,12 +44,15 @@ class Inserter {
   void start(VertexId a, VertexId b, VertexId c) {
     if (orient2d(raw_.point(a), raw_.point(b), raw_.point(c)) < 0) std::swap(b, c);
     const std::array<VertexId, 3> v{a, b, c};
-    raw_.triangles.resize(4);
-    raw_.set_corners(0, a, b, c);
+    const std::uint32_t t = last_;
+    for (std::uint32_t i = 0; i < 4; ++i) raw_.triangles[unused_++] = {};
+    raw_.set_corners(t, a, b, c);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      raw_.set_corners(1 + i, v[previous_corner(i)], v[next_corner(i)], RawTriangulation::ghost);
-      raw_.link(RawTriangulation::code(0, i), RawTriangulation::code(1 + i, 2));
-      raw_.link(RawTriangulation::code(1 + i, 0), RawTriangulation::code(1 + previous_corner(i), 1));
+      const std::uint32_t g = t + 1 + i;
+      raw_.set_corners(g, v[previous_corner(i)], v[next_corner(i)], RawTriangulation::ghost);
+      raw_.link(RawTriangulation::code(t, i), RawTriangulation::code(g, 2));
+      raw_.link(RawTriangulation::code(g, 0),
+                RawTriangulation::code(t + 1 + previous_corner(i), 1));
     }
   }
 
@@ -83,7 +92,8 @@ class Inserter {
   // triangulation. A ghost that is reached has p strictly beyond its hull edge.
   std::uint32_t triangle_at(Point p) const {
     std::uint32_t t = last_;
-    if (raw_.is_ghost(t)) t = RawTriangulation::triangle_of(raw_.twin(RawTriangulation::code(t, 2)));
+    if (raw_.is_ghost(t))
+      t = RawTriangulation::triangle_of(raw_.twin(RawTriangulation::code(t, 2)));
     std::uint32_t entered = 3;
     while (true) {
       const auto& v = raw_.triangles[t].vertices;
@@ -116,15 +126,17 @@ class Inserter {
 
   Sides close(Code outside, VertexId p) {
     const VertexId a = raw_.destination(outside), b = raw_.origin(outside);
-    auto t = static_cast<std::uint32_t>(raw_.triangles.size());
+    std::uint32_t t = unused_;
     if (free_.empty()) {
-      raw_.triangles.emplace_back();
+      raw_.triangles[unused_++] = {};
     } else {
       t = free_.back();
       free_.pop_back();
     }
     // Corner 0 is p, a or b: whichever makes a ghost, if there is one, corner 2.
-    const std::uint32_t at_p = b == RawTriangulation::ghost ? 0 : a == RawTriangulation::ghost ? 1 : 2;
+    const std::uint32_t at_p = b == RawTriangulation::ghost   ? 0
+                               : a == RawTriangulation::ghost ? 1
+                                                              : 2;
     if (at_p == 0) raw_.set_corners(t, p, a, b);
     else if (at_p == 1) raw_.set_corners(t, b, p, a);
     else raw_.set_corners(t, a, b, p);
@@ -134,29 +146,56 @@ class Inserter {
   }
 
   RawTriangulation& raw_;
-  std::uint32_t last_ = 0;           // one that the last insertion made
+  std::uint32_t last_;               // one that the last insertion made
+  std::uint32_t unused_;             // the first triangle that has not been used yet
   std::vector<Code> pending_;        // edges seen from outside the hole, still to be looked at
   std::vector<std::uint32_t> free_;  // triangles of the hole that are not in use again yet
 };
 
-}  // namespace
-
-bool triangulate_points(RawTriangulation& raw) {
-  const auto count = static_cast<std::uint32_t>(raw.points.size());
-  std::uint32_t apex = 2;
-  while (apex < count && orient2d(raw.points[0], raw.points[1], raw.points[apex]) == 0) ++apex;
-  if (apex >= count) return false;
-  raw.triangles.reserve(2 * (std::size_t{count} - 1));
-  Inserter inserter(raw);
-  inserter.start(VertexId(0U), VertexId(1U), VertexId(apex));
-  std::vector<std::uint8_t> rounds = choose_rounds(count);
-  rounds[0] = rounds[1] = rounds[apex] = most_rounds;
+// False, with nothing done, if the vertices lie on one line.
+bool triangulate_range(RawTriangulation& raw, std::uint32_t begin, std::uint32_t end,
+                       std::uint32_t first_triangle) {
+  const auto point = [&](std::uint32_t v) { return raw.points[v]; };
+  std::uint32_t apex = begin + 2;
+  while (apex < end && orient2d(point(begin), point(begin + 1), point(apex)) == 0) ++apex;
+  if (apex >= end) return false;
+  Inserter inserter(raw, first_triangle);
+  inserter.start(VertexId(begin), VertexId(begin + 1), VertexId(apex));
+  std::vector<std::uint8_t> rounds = choose_rounds(end - begin);
+  rounds[0] = rounds[1] = rounds[apex - begin] = most_rounds;
   for (unsigned round = most_rounds; round-- > 0;) {
-    for (std::uint32_t v = 2; v < count; ++v) {
-      if (rounds[v] == round) inserter.insert(VertexId(v));
+    for (std::uint32_t v = begin + 2; v < end; ++v) {
+      if (rounds[v - begin] == round) inserter.insert(VertexId(v));
     }
   }
   return true;
+}
+
+bool triangulate_halves(RawTriangulation& raw, const Halves& halves, unsigned threads) {
+  const auto cut = static_cast<std::uint32_t>(halves.first_of_second);
+  const auto count = static_cast<std::uint32_t>(raw.points.size());
+  std::array<bool, 2> done{};
+  in_parallel(
+      threads, [&] { done[0] = triangulate_range(raw, 0, cut, 0); },
+      [&] { done[1] = triangulate_range(raw, cut, count, 2 * (cut - 1)); });
+  if (!done[0] || !done[1]) return false;
+  const std::array<std::uint32_t, 2> free{2 * (count - 1) - 1, 2 * (count - 1) - 2};
+  merge_halves(raw, halves, free);
+  return true;
+}
+
+}  // namespace
+
+bool triangulate_points(RawTriangulation& raw, const DelaunayOptions& options) {
+  const auto count = static_cast<std::uint32_t>(raw.points.size());
+  raw.triangles.resize(2 * (std::size_t{count} - 1));
+  if (count >= options.halve_from) {
+    const auto halves = find_halves(raw.points);
+    if (halves && triangulate_halves(raw, *halves, options.threads)) return true;
+  }
+  if (triangulate_range(raw, 0, count, 0)) return true;
+  raw.triangles.clear();
+  return false;
 }
 
 }  // namespace lepp

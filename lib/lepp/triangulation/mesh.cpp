@@ -60,7 +60,7 @@ void Mesh::reserve(std::size_t vertices, std::size_t triangles) {
   triangles_.reserve(triangles);
 }
 
-void Mesh::adopt(std::vector<Triangle> triangles, std::span<const std::uint32_t> leaving,
+void Mesh::adopt(TriangleArray triangles, std::span<const std::uint32_t> leaving,
                  std::span<const std::uint32_t> vertex) {
   triangles_ = std::move(triangles);
   for (std::size_t v = 0; v < leaving.size(); ++v) {
@@ -101,7 +101,7 @@ TriangleId Mesh::add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId regi
     throw RefusedError(source_, "more than 1.07e9 triangles", "split the domain or ask for less");
   }
   const TriangleId t(triangles_.size());
-  Triangle triangle;
+  Triangle triangle{};
   triangle.across_ = {nothing, nothing, nothing};
   triangle.region_ = region;
   triangles_.push_back(triangle);

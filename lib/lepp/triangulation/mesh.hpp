@@ -11,6 +11,7 @@
 #include "lepp/geometry/ids.hpp"
 #include "lepp/geometry/point.hpp"
 #include "lepp/geometry/pslg.hpp"
+#include "lepp/geometry/unset_allocator.hpp"
 #include "lepp/triangulation/edge_records.hpp"
 
 namespace lepp {
@@ -45,6 +46,7 @@ class Triangle {
   std::uint32_t constrained_ = 0;  // bit i: edge i is constrained
 };
 static_assert(sizeof(Triangle) == 32);
+using TriangleArray = std::vector<Triangle, UnsetAllocator<Triangle>>;
 
 /// 4 * triangle + edge and "nothing" share 32 bits.
 inline constexpr std::size_t max_triangles = (std::size_t{1} << 30) - 1;
@@ -146,7 +148,7 @@ class Mesh {
   void reserve(std::size_t vertices, std::size_t triangles);
   /// Takes over all triangles at once, linked and flagged already. `leaving[i]` is the code of a
   /// half-edge that leaves vertex number `vertex[i]`, the boundary edge if it has one; or nothing.
-  void adopt(std::vector<Triangle> triangles, std::span<const std::uint32_t> leaving,
+  void adopt(TriangleArray triangles, std::span<const std::uint32_t> leaving,
              std::span<const std::uint32_t> vertex);
   /// Gives the edge between the ends of each segment to that segment. The flags are set already.
   /// \param again  ascending: segments whose edge has another owner, too
@@ -195,7 +197,7 @@ class Mesh {
   std::vector<Point> points_;
   std::vector<VertexOrigin> origins_;
   std::vector<std::uint32_t> leaving_;  // code of a half-edge that starts at the vertex
-  std::vector<Triangle> triangles_;
+  TriangleArray triangles_;
   EdgeRecords constrained_edges_;
   std::vector<Segment> segments_;
   std::vector<std::vector<SegmentId>> shared_sets_;  // sets of two and more segments

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lepp/geometry/two_threads.hpp"
+
 namespace lepp {
 
 namespace {
@@ -18,17 +20,23 @@ class MeshOfRegions {
       : raw_(raw), regions_(regions), pslg_(pslg), vertex_of_(vertex_of), report_(report) {}
 
   // In an order that lets go of each array before the next one is made.
-  Mesh run(SegmentPieces& pieces) {
+  Mesh run(SegmentPieces& pieces, unsigned threads) {
     mesh_.set_source(pslg_.source, pslg_.base);
     mark_vertices();
     drop_outside(pieces);
     raw_.points = {};
     number_vertices();
-    auto triangles = raw_.take_triangles(regions_.of_label, vertex_);
-    add_vertices();
+    TriangleArray triangles;
+    in_parallel(
+        threads, [&] { triangles = raw_.take_triangles(regions_.of_label, vertex_); },
+        [&] {
+          add_vertices();
+          if (!report_.convex_hull) set_segments(pieces, {});
+        });
     mesh_.adopt(std::move(triangles), raw_.leaving, vertex_);
     raw_.leaving = {};
-    set_segments(pieces);
+    if (report_.convex_hull) set_segments(pieces, open_sides());
+    vertex_ = {};
     set_entities();
     return std::move(mesh_);
   }
@@ -36,8 +44,8 @@ class MeshOfRegions {
  private:
   bool is_kept(std::uint32_t t) const { return regions_.of_label[raw_.label(t)].has_value(); }
 
-  // vertex_: anything but `unused` for each vertex of a kept triangle, for now. border_: vertices with a constrained
-  // edge that has nothing kept on either side.
+  // vertex_: anything but `unused` for each vertex of a kept triangle, for now. border_: vertices
+  // with a constrained edge that has nothing kept on either side.
   void mark_vertices() {
     vertex_.assign(raw_.points.size(), unused);
     border_.assign(raw_.points.size(), false);
@@ -119,10 +127,10 @@ class MeshOfRegions {
     return {a, b, whole.curve, parameter(whole, a), parameter(whole, b)};
   }
 
-  void set_segments(SegmentPieces& pieces) {
+  // One per piece and, where the mesh ends at the convex hull, one per side that is no piece.
+  void set_segments(SegmentPieces& pieces, const std::vector<HalfEdge>& open) {
     auto& first = pieces.first;
     auto& further = pieces.further;
-    const std::vector<HalfEdge> open = open_sides();
     std::vector<Segment> segments;
     segments.reserve(first.size() + further.size() + open.size());
     std::vector<SegmentId> owners_again;  // of edges that have an owner already
@@ -136,7 +144,6 @@ class MeshOfRegions {
       segments.push_back({mesh_.origin(e), mesh_.destination(e), {}, 0, 1});
     }
     first = {};
-    vertex_ = {};
     mesh_.set_segments(std::move(segments));
     mesh_.own_edges(owners_again);
     for (const HalfEdge e : open) mesh_.set_constrained_flag(e, true);
@@ -181,8 +188,9 @@ class MeshOfRegions {
 }  // namespace
 
 Mesh mesh_of_regions(RawTriangulation raw, Regions regions, const Pslg& pslg, SegmentPieces pieces,
-                     std::vector<VertexId> vertex_of, TriangulationReport& report) {
-  return MeshOfRegions(raw, regions, pslg, vertex_of, report).run(pieces);
+                     std::vector<VertexId> vertex_of, TriangulationReport& report,
+                     unsigned threads) {
+  return MeshOfRegions(raw, regions, pslg, vertex_of, report).run(pieces, threads);
 }
 
 }  // namespace lepp

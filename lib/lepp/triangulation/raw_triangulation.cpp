@@ -1,11 +1,48 @@
 #include "lepp/triangulation/raw_triangulation.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "lepp/geometry/predicates.hpp"
 
 namespace lepp {
+
+namespace {
+
+// A set of triangles that knows how many of its members come before one: a bit each, and a count
+// for every 64.
+class Ranks {
+ public:
+  template <class Has>
+  Ranks(std::size_t triangles, Has has) : words_(triangles / 64 + 1) {
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+      Word& word = words_[t / 64];
+      if (t % 64 == 0) word.before = count_;
+      if (!has(t)) continue;
+      word.members |= std::uint64_t{1} << t % 64;
+      ++count_;
+    }
+  }
+
+  bool has(std::uint32_t t) const { return (words_[t / 64].members >> t % 64 & 1) != 0; }
+  std::uint32_t rank(std::uint32_t t) const {
+    const Word& word = words_[t / 64];
+    const std::uint64_t below = word.members & ((std::uint64_t{1} << t % 64) - 1);
+    return word.before + static_cast<std::uint32_t>(std::popcount(below));
+  }
+  std::uint32_t count() const { return count_; }
+
+ private:
+  struct Word {
+    std::uint64_t members = 0;
+    std::uint32_t before = 0;
+  };
+  std::vector<Word> words_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace
 
 void RawTriangulation::find_leaving() {
   leaving.resize(points.size());
@@ -65,33 +102,32 @@ RawTriangulation::Code RawTriangulation::edge_between(VertexId a, VertexId b) co
   }
 }
 
-std::vector<Triangle> RawTriangulation::take_triangles(
+TriangleArray RawTriangulation::take_triangles(
     const std::vector<std::optional<SurfaceId>>& of_label,
     const std::vector<std::uint32_t>& vertex) {
   constexpr std::uint32_t dropped = Triangle::nothing;
-  std::vector<std::uint32_t> place(triangles.size(), dropped);
-  std::uint32_t count = 0;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (of_label[label(t)]) place[t] = count++;
-  }
+  const Ranks kept(triangles.size(),
+                   [&](std::uint32_t t) { return of_label[label(t)].has_value(); });
   std::ranges::fill(leaving, dropped);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (place[t] == dropped) continue;
+    if (!kept.has(t)) continue;
+    const std::uint32_t place = kept.rank(t);
     Triangle triangle = triangles[t];
     triangle.region_ = *of_label[triangle.region_.value];
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Code across = triangle.across_[i];
-      const std::uint32_t beyond = place[triangle_of(across)];
-      triangle.across_[i] = beyond == dropped ? Triangle::nothing : code(beyond, edge_of(across));
+      const bool is_boundary = !kept.has(triangle_of(across));
+      triangle.across_[i] =
+          is_boundary ? Triangle::nothing : code(kept.rank(triangle_of(across)), edge_of(across));
       Code& first = leaving[triangle.vertices[next_corner(i)].index()];
-      if (first == dropped || beyond == dropped) first = code(place[t], i);
+      if (first == dropped || is_boundary) first = code(place, i);
     }
     for (VertexId& v : triangle.vertices) v = VertexId(vertex[v.index()]);
-    triangles[place[t]] = triangle;  // place[t] <= t: nothing that is still needed
+    triangles[place] = triangle;  // place <= t: nothing that is still needed
   }
-  place = {};
-  triangles.resize(count);
-  if (count < triangles.capacity() / 4 * 3) triangles.shrink_to_fit();
+  triangles.resize(kept.count());
+  // Refinement will want the room; a copy costs more memory, for a while, than it sets free.
+  if (kept.count() < triangles.capacity() / 4) triangles.shrink_to_fit();
   return std::move(triangles);
 }
 

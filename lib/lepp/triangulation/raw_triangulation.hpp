@@ -23,7 +23,7 @@ class RawTriangulation {
 
   std::vector<Point> points;         ///< of the vertices
   std::vector<std::uint32_t> input;  ///< for each vertex, the input point it comes from
-  std::vector<Triangle> triangles;   ///< 2 (vertices - 1) of them
+  TriangleArray triangles;           ///< 2 (vertices - 1) of them
   std::vector<Code> leaving;         ///< for each vertex, an edge that starts there
 
   static std::uint32_t triangle_of(Code e) { return e >> 2; }
@@ -93,8 +93,8 @@ class RawTriangulation {
   /// Moves the triangles whose label has a region out of here, as those of a mesh: with that region
   /// and with the vertices `vertex` says; links to the others become "nothing". `leaving` then
   /// holds edges of the mesh, still by vertices of this.
-  std::vector<Triangle> take_triangles(const std::vector<std::optional<SurfaceId>>& of_label,
-                                       const std::vector<std::uint32_t>& vertex);
+  TriangleArray take_triangles(const std::vector<std::optional<SurfaceId>>& of_label,
+                               const std::vector<std::uint32_t>& vertex);
 
   struct Place {
     std::uint32_t triangle;       ///< a ghost if the point is outside the hull

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lepp/geometry/text.hpp"
+#include "lepp/geometry/two_threads.hpp"
 #include "lepp/triangulation/components.hpp"
 #include "lepp/triangulation/regions_by_bounds.hpp"
 #include "lepp/triangulation/spatial_order.hpp"
@@ -11,13 +12,14 @@ namespace lepp {
 
 namespace {
 
-constexpr std::uint32_t nowhere = 0;  // the label of ghosts
+constexpr std::uint32_t nowhere = 0;     // the label of ghosts
+constexpr std::size_t few_seeds = 1000;  // not worth a thread
 
 class SeedRegions {
  public:
   SeedRegions(const RawTriangulation& raw, const Pslg& pslg, TriangulationReport& report,
-              const Components& components)
-      : raw_(raw), pslg_(pslg), report_(report), outside_(components.is_open) {
+              const Components& components, unsigned threads)
+      : raw_(raw), pslg_(pslg), report_(report), threads_(threads), outside_(components.is_open) {
     regions_.entities = pslg.entities;
     regions_.of_label.resize(components.count + 1);
   }
@@ -40,11 +42,18 @@ class SeedRegions {
   // The label around each point; each walk starts where the one before it ended, nearby.
   std::vector<RawTriangulation::Place> locate_all(const std::vector<Point>& points) const {
     std::vector<RawTriangulation::Place> places(points.size());
-    std::uint32_t at = 0;
-    for (const std::uint32_t i : spatial_order(points)) {
-      places[i] = raw_.locate(points[i], at);
-      at = places[i].triangle;
-    }
+    const std::vector<std::uint32_t> order = spatial_order(points);
+    const auto locate = [&](std::size_t begin, std::size_t end) {
+      std::uint32_t at = 0;
+      for (std::size_t k = begin; k < end; ++k) {
+        places[order[k]] = raw_.locate(points[order[k]], at);
+        at = places[order[k]].triangle;
+      }
+    };
+    const std::size_t middle = order.size() / 2;
+    in_parallel(
+        order.size() < few_seeds ? 1 : threads_, [&] { locate(0, middle); },
+        [&] { locate(middle, order.size()); });
     return places;
   }
 
@@ -106,6 +115,7 @@ class SeedRegions {
   const RawTriangulation& raw_;
   const Pslg& pslg_;
   TriangulationReport& report_;
+  unsigned threads_;
   std::vector<bool> outside_;  // by label - 1
   Regions regions_;
 };
@@ -113,12 +123,12 @@ class SeedRegions {
 }  // namespace
 
 Regions find_regions(RawTriangulation& raw, const Pslg& pslg, const SegmentPieces& pieces,
-                     TriangulationReport& report) {
-  const Components components = label_components(raw);
+                     TriangulationReport& report, unsigned threads) {
+  const Components components = label_components(raw, threads);
   if (pslg.has_bounded_surfaces()) {
     return {regions_by_bounds(raw, pslg, pieces, components.count), pslg.entities};
   }
-  return SeedRegions(raw, pslg, report, components).run();
+  return SeedRegions(raw, pslg, report, components, threads).run();
 }
 
 }  // namespace lepp

@@ -22,6 +22,6 @@ struct Regions {
 ///         seed lies on a segment
 /// Cost    O(triangles); seeds are found from each other along the spatial order.
 Regions find_regions(RawTriangulation& raw, const Pslg& pslg, const SegmentPieces& pieces,
-                     TriangulationReport& report);
+                     TriangulationReport& report, unsigned threads);
 
 }  // namespace lepp
