@@ -40,11 +40,13 @@ std::optional<RawTriangulation> triangulated(std::vector<Point> points, std::siz
   return raw;
 }
 
-// Counted, linked, turning left, and locally Delaunay with the hull convex: then it is Delaunay.
+// Counted, without labels, linked, turning left, and locally Delaunay with the hull convex: then it
+// is Delaunay.
 std::size_t faults(const RawTriangulation& raw) {
   std::size_t found = raw.triangles.size() == 2 * (raw.points.size() - 1) ? 0 : 1;
   for (std::uint32_t t = 0; t < raw.triangles.size(); ++t) {
     const auto& v = raw.triangles[t].vertices;
+    if (raw.label(t) != 0) ++found;
     if (!raw.is_ghost(t) && orient2d(raw.point(v[0]), raw.point(v[1]), raw.point(v[2])) <= 0)
       ++found;
     for (std::uint32_t i = 0; i < 3; ++i) {

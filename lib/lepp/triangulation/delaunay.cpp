@@ -180,6 +180,7 @@ bool triangulate_halves(RawTriangulation& raw, const Halves& halves, unsigned th
       [&] { done[1] = triangulate_range(raw, cut, count, 2 * (cut - 1)); });
   if (!done[0] || !done[1]) return false;
   const std::array<std::uint32_t, 2> free{2 * (count - 1) - 1, 2 * (count - 1) - 2};
+  for (const std::uint32_t t : free) raw.triangles[t] = {};
   merge_halves(raw, halves, free);
   return true;
 }

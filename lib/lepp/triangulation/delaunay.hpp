@@ -7,7 +7,7 @@ namespace lepp {
 struct DelaunayOptions {
   unsigned threads = 1;  ///< at most two are of use; the result does not depend on it
   /// From this number of points on, two halves are triangulated and merged. At least 8.
-  std::size_t halve_from = 20'000;
+  std::size_t halve_from = 32;
 };
 
 /// Fills `raw`, whose points are set, with their Delaunay triangulation.

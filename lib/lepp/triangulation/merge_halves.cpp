@@ -36,7 +36,8 @@ std::size_t best_cut(std::span<const Point> points, bool by_y) {
   };
   std::size_t best = 0;
   double largest = -std::numeric_limits<double>::infinity();  // of the points before the block
-  std::vector<double> behind(block + 1);  // smallest from point i of the block on
+  std::vector<double> behind(std::min(block, points.size()) +
+                             1);  // smallest from point i of the block on
   for (std::size_t begin = 0; begin < points.size(); begin += block) {
     const std::size_t count = std::min(block, points.size() - begin);
     behind[count] = from[begin / block + 1];
