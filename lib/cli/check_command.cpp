@@ -84,6 +84,10 @@ void add_check_command(CLI::App& app, int& status) {
       .add_option("--min-angle", command->min_angle_deg,
                   "every angle must reach it, but in wedges of constrained edges below 60 degrees")
       ->check(CLI::Range(0.0, 60.0));
+  check
+      .add_option("--max-angle", command->claims.max_angle_deg,
+                  "no angle of any triangle may be above it (exact for 90)")
+      ->check(CLI::Range(60.0, 180.0));
   check.add_option("--json", command->json, "write the report as JSON to a file, or - for stdout");
   check.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
   check.footer(

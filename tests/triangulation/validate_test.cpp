@@ -153,3 +153,17 @@ TEST_CASE("M8 fails, and only M8, on an obtuse angle opposite a constrained edge
   const Mesh right = test::from_triangles({{0, 0}, {4, 0}, {2, 2}}, {{0, 1, 2}});
   CHECK(validate(right, {.nonobtuse = true}).valid());
 }
+
+TEST_CASE(
+    "M9 fails, and only M9, on any angle above the claimed bound; a right angle is not above 90") {
+  const Mesh mesh = test::from_triangles({{0, 0}, {4, 0}, {2, 1}}, {{0, 1, 2}});
+  CHECK(broken_rules(mesh, {.max_angle_deg = 90}) == Rules{"M9"});
+  CHECK(broken_rules(mesh, {.max_angle_deg = 126}) == Rules{"M9"});
+  CHECK(validate(mesh, {.max_angle_deg = 127}).valid());
+  const Unfinished claimed{TriangleId(0U), Reason::input_angle};
+  CHECK(broken_rules(mesh, {.max_angle_deg = 90, .unfinished = {claimed}}) == Rules{"M9"});
+  const Unfinished stopped{TriangleId(0U), Reason::budget};
+  CHECK(validate(mesh, {.max_angle_deg = 90, .unfinished = {stopped}}).valid());
+  const Mesh right = test::from_triangles({{0, 0}, {4, 0}, {2, 2}}, {{0, 1, 2}});
+  CHECK(validate(right, {.max_angle_deg = 90}).valid());
+}

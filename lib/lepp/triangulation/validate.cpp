@@ -33,6 +33,7 @@ class Validator {
     if (claims_.delaunay) check_delaunay();
     if (claims_.min_angle_deg) check_angles(*claims_.min_angle_deg);
     if (claims_.nonobtuse) check_nonobtuse();
+    if (claims_.max_angle_deg) check_large_angles(*claims_.max_angle_deg);
     return std::move(report_);
   }
 
@@ -234,7 +235,7 @@ class Validator {
     if (found == claims_.unfinished.end() || found->triangle != t) return false;
     if (!is_forced_by_input(found->reason)) return true;
     const bool by_angle = found->reason == Reason::input_angle;
-    if (by_angle && rule == "M8") return false;
+    if (by_angle && rule != "M7") return false;
     if (by_angle ? input_->by_angle(t) : input_->by_feature(t)) return true;
     broken(rule, name(t) + " claims " + to_string(found->reason));
     return true;
@@ -261,6 +262,22 @@ class Validator {
                     mesh_.point(mesh_.destination(e))) &&
           !excused(e.triangle, "M8")) {
         broken("M8", name(e) + " faces an obtuse angle");
+      }
+    });
+  }
+
+  bool is_above(HalfEdge e, double bound_deg) const {
+    const Point a = mesh_.point(mesh_.origin(e)), apex = mesh_.point(mesh_.apex(e)),
+                b = mesh_.point(mesh_.destination(e));
+    if (bound_deg == 90) return is_obtuse(a, apex, b);
+    const Point u = a - apex, w = b - apex;
+    return std::atan2(cross(u, w), dot(u, w)) > (bound_deg + 1e-9) * std::numbers::pi / 180;
+  }
+
+  void check_large_angles(double bound_deg) {
+    for_each_half_edge([&](HalfEdge e) {
+      if (is_above(e, bound_deg) && !excused(e.triangle, "M9")) {
+        broken("M9", name(e) + " faces an angle above the bound");
       }
     });
   }

@@ -14,12 +14,15 @@ struct MeshClaims {
   bool delaunay = true;  ///< check M6
   /// M7: every angle reaches it, or the triangle is in `unfinished` with a reason that holds.
   std::optional<double> min_angle_deg = {};
+  /// M9: no angle is above it (exact for 90, else up to 1e-9 degrees); triangles in `unfinished`
+  /// may break it, but not for their input angles.
+  std::optional<double> max_angle_deg = {};
   bool nonobtuse = false;                   ///< M8; triangles in `unfinished` may break it
   std::vector<Unfinished> unfinished = {};  ///< ascending by triangle, as refine() reports them
 };
 
 struct MeshViolation {
-  std::string rule;   ///< "M1" ... "M8"
+  std::string rule;   ///< "M1" ... "M9"
   std::string where;  ///< ids and coordinates
 };
 
@@ -34,9 +37,9 @@ struct MeshReport {
 /// == e with the same two vertices, no edge of three triangles. M4 boundary edges are constrained,
 /// edges between regions too, both sides of an edge agree. M5 each segment is a chain of
 /// constrained edges, and each constrained edge has a record. M6 each unconstrained edge is locally
-/// Delaunay (exact). M7, M8: the claims. Collects violations, throws nothing, changes nothing, and
-/// shares nothing but the predicates with what it checks (and InputReasons, where a claim names a
-/// reason).  Cost O(n log n).
+/// Delaunay (exact). M7 to M9: the claims. Collects violations, throws nothing, changes nothing,
+/// and shares nothing but the predicates with what it checks (and InputReasons, where a claim names
+/// a reason).  Cost O(n log n).
 MeshReport validate(const Mesh& mesh, const MeshClaims& claims = {});
 
 }  // namespace lepp
