@@ -15,6 +15,8 @@ constexpr std::size_t small = 16;        // so many pieces are compared pair by 
 constexpr std::size_t sample_size = 31;  // boxes looked at to choose where to cut
 constexpr std::size_t fan_rest = 16;     // a fan may have so many pieces beside it
 constexpr int max_stuck = 8;             // so many cuts in a row that part next to nothing
+constexpr std::size_t medium = 64;       // up to here comparing each with each is no disaster
+constexpr double credit = 4;             // so many times that may be spent on cuts
 constexpr double rounding = 0x1p-49;  // of clipped coordinates, relative to the ends of the piece
 
 // The part of a strip inside the cell at hand.
@@ -27,6 +29,7 @@ struct Entry {
 struct Cell {
   std::size_t begin;
   int stuck;
+  double credit_left;  // comparisons it may cost, over those of each with each
 };
 
 enum class Axis { x, y };
@@ -60,7 +63,7 @@ class NearPairs {
 
   void run() {
     for (std::size_t i = 0; i < strips_.size(); ++i) stack_.push_back(whole(i));
-    cells_.push_back({0, 0});
+    cells_.push_back({0, 0, credit});
     while (!cells_.empty() && !stopped_) {  // ends: parts get smaller, or max_stuck is reached
       const Cell cell = cells_.back();
       cells_.pop_back();
@@ -93,14 +96,25 @@ class NearPairs {
     if (4 * (below_.size() + above_.size()) > 5 * n) {
       if (compare_fan()) return;
       if (compare_along_direction(8 * n)) return;
+      if (n > medium && part_along_a_piece()) return push_halves({0, 0, credit});
+      part(cut);
     }
     const int stuck = 10 * most > 9 * n ? cell.stuck + 1 : 0;
-    if (stuck > max_stuck) {
+    const double left = std::min(
+        credit, cell.credit_left * pairs(n) / (pairs(below_.size()) + pairs(above_.size())));
+    if (stuck > max_stuck || (n <= medium && left < 1)) {
       compare_along_direction({});
       return;
     }
+    push_halves({0, stuck, left});
+  }
+
+  static double pairs(std::size_t n) { return static_cast<double>(n) * static_cast<double>(n); }
+
+  void push_halves(Cell cell) {
     for (const auto* half : {&above_, &below_}) {
-      cells_.push_back({stack_.size(), stuck});
+      cell.begin = stack_.size();
+      cells_.push_back(cell);
       stack_.insert(stack_.end(), half->begin(), half->end());
     }
   }
@@ -116,14 +130,15 @@ class NearPairs {
     }
   }
 
+  const Entry& sample(std::size_t k) const {
+    return entries_[k * (entries_.size() - 1) / (sample_size - 1)];
+  }
+
   // At the median of a sample, across x or y, whichever cuts fewer pieces in two.
   Cut best_cut() const {
     std::optional<Cut> best;
     for (const Axis axis : {Axis::x, Axis::y}) {
       std::array<double, sample_size> middles;
-      const auto sample = [&](std::size_t k) -> const Entry& {
-        return entries_[k * (entries_.size() - 1) / (sample_size - 1)];
-      };
       for (std::size_t k = 0; k < sample_size; ++k) {
         middles[k] = 0.5 * (low(sample(k), axis) + high(sample(k), axis));
       }
@@ -178,6 +193,42 @@ class NearPairs {
     if (above == v_grows) v_low = std::max(v_low, v - room);
     else v_high = std::min(v_high, v + room);
     return e;
+  }
+
+  // Rays around a small circle are in each other's way in every box, but the line through one of
+  // them has half of the others on each side. Leaves below_ and above_ so, or returns false.
+  bool part_along_a_piece() {
+    std::size_t fewest = sample_size;
+    Point best{0, 0};
+    double best_at = 0;
+    for (std::size_t k = 0; k < sample_size; ++k) {
+      if (is_point(sample(k).id)) continue;
+      const Point normal = across(sample(k));
+      const auto [low, high] = projection(sample(k), normal);
+      const double at = 0.5 * (low + high);
+      std::size_t below = 0, above = 0;
+      for (std::size_t j = 0; j < sample_size; ++j) {
+        const auto [from, to] = projection(sample(j), normal);
+        below += from <= at ? 1U : 0U;
+        above += to >= at ? 1U : 0U;
+      }
+      if (std::max(below, above) < fewest) {
+        fewest = std::max(below, above);
+        best = normal;
+        best_at = at;
+      }
+    }
+    if (4 * fewest > 3 * sample_size) return false;
+    below_.clear();
+    above_.clear();
+    for (const Entry& e : entries_) {
+      const auto [from, to] = projection(e, best);
+      if (from <= best_at) below_.push_back(e);
+      if (to >= best_at) above_.push_back(e);
+    }
+    const std::size_t n = entries_.size();
+    return 5 * std::max(below_.size(), above_.size()) <= 4 * n &&
+           8 * (below_.size() + above_.size()) <= 9 * n;
   }
 
   // Pieces with a common end cannot be cut apart there, and need not be: only neighbours in the
@@ -285,6 +336,12 @@ class NearPairs {
     if (is_point(e.id)) return {0, 0};
     const bool grows = (a.x < b.x) == (a.y < b.y);
     return {e.high.x - e.low.x, grows ? e.high.y - e.low.y : e.low.y - e.high.y};
+  }
+
+  Point across(const Entry& e) const {
+    const Point d = direction(e);
+    const double length = std::hypot(d.x, d.y);
+    return length > 0 ? Point{-d.y / length, d.x / length} : Point{1, 0};
   }
 
   // The mean direction, each piece weighted by its squared length, opposite directions alike.

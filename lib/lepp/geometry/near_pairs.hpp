@@ -22,8 +22,8 @@ struct Strip {
 /// \pre   coordinates in the supported range of pslg.hpp
 /// \param visit  returns false to stop
 /// Cost   O(n log n + visited pairs) for coast lines, combs, spirals, stacks of long parallel
-///        pieces in any direction, and fans; pieces that cross each other all over cost a small
-///        multiple of their crossings. docs/algorithms/crossings.md says how.
+///        pieces in any direction, fans, and rays around a circle; pieces that cross each other
+///        all over cost a small multiple of their crossings. docs/algorithms/crossings.md says how.
 void for_each_near_pair(std::span<const Strip> strips,
                         const std::function<bool(std::uint32_t, std::uint32_t)>& visit);
 
