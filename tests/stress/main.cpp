@@ -152,8 +152,9 @@ class Stress {
       return;
     }
     std::printf(
-        "%llu PSLGs from seed %llu: %llu failures; %llu meshes, %llu with crossings, of which %llu "
-        "refused to split; %.1f s\n",
+        "%llu PSLGs from seed %llu: %llu failures; %llu meshes, %llu with crossings, of which "
+        "%llu, "
+        "once split, were refused for holes, seeds or no area; %.1f s\n",
         number(done), number(options_.seed), number(totals_.failures), number(totals_.meshes),
         number(totals_.crossing), number(totals_.refused_splits), elapsed());
   }

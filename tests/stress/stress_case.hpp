@@ -11,7 +11,7 @@ namespace lepp::test {
 struct CaseReport {
   std::optional<std::string> failure;
   bool crosses = false;        ///< the oracle found crossing segments
-  bool refused_split = false;  ///< and the library would not split them
+  bool refused_split = false;  ///< they were split, then holes, seeds or no area refused
   bool made_mesh = false;
 };
 

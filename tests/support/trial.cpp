@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/split_crossings.hpp"
 #include "support/invariants.hpp"
 #include "support/mesh_edges.hpp"
 #include "support/oracle.hpp"
@@ -35,14 +36,34 @@ bool lies_on_piece(const Arrangement& arrangement, Point p) {
   });
 }
 
+// Whatever its crossings.
 bool may_be_refused(const Pslg& pslg, const Arrangement& arrangement) {
   const auto on_piece = [&](Point p) { return lies_on_piece(arrangement, p); };
-  return !arrangement.crossings.empty() || is_flat(arrangement) ||
+  return is_flat(arrangement) ||
          (!pslg.holes.empty() &&
           pslg.holes.size() >= std::max<std::size_t>(arrangement.closed_faces(), 1)) ||
          std::any_of(pslg.holes.begin(), pslg.holes.end(), on_piece) ||
          std::any_of(pslg.seeds.begin(), pslg.seeds.end(),
                      [&](const RegionSeed& s) { return on_piece(s.at); });
+}
+
+// What an InputError means, once the oracle has looked for a reason. Rounded crossings can be on a
+// hole, and pieces can close off what the segments do not: so the pieces are what counts.
+void judge(const InputError& error, const Pslg& pslg, const Arrangement& arrangement,
+           Crossings crossings, Trial& trial) {
+  const bool crosses = !arrangement.crossings.empty();
+  const auto without_reason = std::string("refused without a reason: ") + error.what();
+  if (!crosses) {
+    if (!may_be_refused(pslg, arrangement)) trial.failure = without_reason;
+  } else if (crossings == Crossings::split) {
+    trial.refused_split = true;
+    try {
+      const Pslg split = split_crossings(pslg).pslg;
+      if (!may_be_refused(split, arrange(split))) trial.failure = without_reason;
+    } catch (const InputError& too_close) {
+      trial.failure = std::string("crossings could not be split: ") + too_close.what();
+    }
+  }
 }
 
 }  // namespace
@@ -56,10 +77,7 @@ Trial try_pslg(const Pslg& pslg, const Arrangement& arrangement, Crossings cross
                         ? "segments cross, and it was not seen"
                         : broken_invariant(*trial.result, pslg, arrangement, crossings);
   } catch (const InputError& error) {
-    trial.refused_split = crosses && crossings == Crossings::split;
-    if (!may_be_refused(pslg, arrangement)) {
-      trial.failure = std::string("refused without a reason: ") + error.what();
-    }
+    judge(error, pslg, arrangement, crossings, trial);
   } catch (const std::exception& error) {
     trial.failure = std::string("an exception that is no InputError: ") + error.what();
   }

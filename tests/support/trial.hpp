@@ -12,12 +12,13 @@ namespace lepp::test {
 struct Trial {
   std::optional<std::string> failure;   ///< what the library got wrong, if anything
   std::optional<Triangulation> result;  ///< the mesh, unless the input was refused
-  bool refused_split = false;           ///< an InputError although crossings were to be split
+  bool refused_split = false;  ///< crossings were split, then holes, seeds or no area refused
 };
 
 /// Triangulates and checks every invariant. An InputError is right only where the oracle sees a
 /// reason: crossing segments that were not to be split, no area, a hole or seed on a segment, holes
-/// that may remove everything. Crossing segments without an InputError are a failure too.
+/// that may remove everything. Crossing segments without an InputError are a failure too, and so
+/// are crossings that could not be split.
 /// \pre each segment has a curve of its own
 Trial try_pslg(const Pslg& pslg, const Arrangement& arrangement, Crossings crossings);
 
