@@ -1,6 +1,8 @@
 #include "support/foreign_pslg.hpp"
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -84,6 +86,11 @@ void add_instance(Pslg& pslg, const Json& instance) {
   }
 }
 
+void add_overlay(Pslg& pslg, const Json& overlay) {
+  add_polygon(pslg, overlay.at("subjPaths"));
+  add_polygon(pslg, overlay.at("clipPaths"));
+}
+
 // True for [points, edges]: the second list holds pairs of indices into the first.
 bool is_points_and_edges(const Json& list) {
   if (list.size() != 2 || list[0].size() < 3 || list[1].empty()) return false;
@@ -97,6 +104,7 @@ bool is_points_and_edges(const Json& list) {
 void add_json(Pslg& pslg, const Json& json) {
   if (json.is_object()) {
     if (json.contains("points_x")) add_instance(pslg, json);
+    else if (json.contains("subjPaths")) add_overlay(pslg, json);
     else if (json.contains("type")) add_geojson(pslg, json);
     else add_edges(pslg, json.at("points"), json.value("edges", Json::array()));
   } else if (json.at(0).is_number()) {
@@ -136,6 +144,55 @@ void add_txt(Pslg& pslg, std::istream& in) {
   }
 }
 
+std::string rest_of(std::istream& in) {
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// The points of "x y, x y z, ..."; none if there is anything else.
+std::vector<Point> points_in(const std::string& text) {
+  std::vector<Point> points;
+  std::istringstream tuples(text);
+  for (std::string tuple; std::getline(tuples, tuple, ',');) {
+    std::istringstream words(tuple);
+    Point p;
+    if (!(words >> p.x >> p.y)) return {};
+    points.push_back(p);
+  }
+  return points;
+}
+
+void add_chain(Pslg& pslg, const std::vector<Point>& points) {
+  if (points.size() > 1 && points.front() == points.back()) add_ring(pslg, points);
+  else add_line(pslg, points);
+}
+
+// Whatever innermost parentheses hold points is a chain; binary geometries are left out.
+void add_well_known_text(Pslg& pslg, std::istream& in) {
+  const std::string text = rest_of(in);
+  for (auto open = text.find('('); open != std::string::npos; open = text.find('(', open + 1)) {
+    const auto end = text.find_first_of("()", open + 1);
+    if (end == std::string::npos || text[end] == '(') continue;
+    add_chain(pslg, points_in(text.substr(open + 1, end - open - 1)));
+  }
+}
+
+// Lines "x,y, x,y, ..." below headings; below one that ends in OPEN they are no rings.
+void add_clipper(Pslg& pslg, std::istream& in) {
+  bool open = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.find_first_of("0123456789") != 0 && !line.starts_with('-')) {
+      open = line.find("OPEN") != std::string::npos;
+      continue;
+    }
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream words(line);
+    std::vector<Point> points;
+    for (Point p; words >> p.x >> p.y;) points.push_back(p);
+    if (open) add_line(pslg, points);
+    else add_ring(pslg, points);
+  }
+}
+
 }  // namespace
 
 Pslg read_foreign_pslg(const std::filesystem::path& path) {
@@ -146,7 +203,9 @@ Pslg read_foreign_pslg(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (kind == ".json" || kind == ".geojson") add_json(pslg, Json::parse(in));
   else if (kind == ".dat") add_dat(pslg, in);
+  else if (kind == ".txt" && in.peek() == 'C') add_clipper(pslg, in);
   else if (kind == ".txt") add_txt(pslg, in);
+  else if (kind == ".xml") add_well_known_text(pslg, in);
   else throw InputError(path.string(), "is of no known kind", "give one of those listed");
   return pslg;
 }

@@ -12,7 +12,10 @@ namespace lepp::test {
 /// - .json of points and edges, as an object or as a list of two lists, or of points alone;
 /// - .json of rings, one polygon; GeoJSON of polygons and lines;
 /// - .dat: a ring of points, one per line; a single word starts the next ring;
-/// - .txt: "vertices edges", then points, then pairs of points, each from 0.
+/// - .json with subjPaths and clipPaths, lists of rings;
+/// - .txt: "vertices edges", then points, then pairs of points, each from 0;
+/// - .txt that starts with CAPTION: rings and, below SUBJECTS_OPEN, lines, as "x,y, x,y";
+/// - .xml with well-known text: rings and lines, all in one.
 /// Rings are closed, the points of each are its own, and there are no holes in Pslg::holes: what is
 /// inside is the caller's question.
 /// \throw InputError, or nlohmann::json::exception, if the file is none of these
