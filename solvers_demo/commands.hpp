@@ -14,7 +14,7 @@ struct CommandLine {
   GroupOptions groups;
   std::string output;  ///< .vtu, or empty
   std::string json;    ///< file, "-" for the standard output, or empty
-  bool allow_inadmissible = false;
+  bool allow_inadmissible = false, force = false;
   std::string folder = ".";  ///< where the two demonstrations write
 };
 

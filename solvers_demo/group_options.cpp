@@ -149,18 +149,54 @@ std::vector<Field> source_from(const std::vector<std::string>& texts, const Mesh
   return source;
 }
 
-Robin robin_from(const std::string& text, const Mesh& mesh) {
-  const Assignment a = split("--robin", text);
+struct RobinValues {
+  double alpha;
+  LinearExpression outside;
+};
+
+RobinValues robin_values(const Assignment& a) {
   const auto comma = a.value.find(',');
   if (comma == std::string::npos) {
     throw InputError(a.where, "needs two values, GROUP=ALPHA,V",
                      "write for example --robin " + a.group + "=10,300");
   }
-  return {part(mesh, a, false), positive(a, a.value.substr(0, comma)),
-          linear(a, a.value.substr(comma + 1))};
+  return {positive(a, a.value.substr(0, comma)), linear(a, a.value.substr(comma + 1))};
+}
+
+Robin robin_from(const std::string& text, const Mesh& mesh) {
+  const Assignment a = split("--robin", text);
+  const RobinValues values = robin_values(a);
+  return {part(mesh, a, false), values.alpha, values.outside};
+}
+
+// A name and a tag may stand for the same group.
+void check_given_once(const std::vector<Dirichlet>& before, const BoundaryPart& part,
+                      const Assignment& a) {
+  for (const Dirichlet& one : before) {
+    if (one.part.curves != part.curves || one.part.points != part.points) continue;
+    throw InputError(a.where, "this group already has a value, by --dirichlet " + one.part.name,
+                     "give each group one");
+  }
 }
 
 }  // namespace
+
+void check_form(const GroupOptions& options) {
+  for (const std::string& text : options.diffusion) {
+    const Assignment a = split("--diffusion", text);
+    positive(a, a.value);
+  }
+  for (const std::string& text : options.robin) robin_values(split("--robin", text));
+  const auto check_linear = [](const char* option, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const Assignment a = split(option, text);
+      linear(a, a.value);
+    }
+  };
+  check_linear("--source", options.source);
+  check_linear("--dirichlet", options.dirichlet);
+  check_linear("--neumann", options.neumann);
+}
 
 PoissonProblem problem_from(const GroupOptions& options, const Mesh& mesh) {
   PoissonProblem problem;
@@ -168,7 +204,9 @@ PoissonProblem problem_from(const GroupOptions& options, const Mesh& mesh) {
   problem.source = source_from(options.source, mesh);
   for (const std::string& text : options.dirichlet) {
     const Assignment a = split("--dirichlet", text);
-    problem.dirichlet.push_back({part(mesh, a, true), linear(a, a.value)});
+    const BoundaryPart where = part(mesh, a, true);
+    check_given_once(problem.dirichlet, where, a);
+    problem.dirichlet.push_back({where, linear(a, a.value)});
   }
   for (const std::string& text : options.neumann) {
     const Assignment a = split("--neumann", text);

@@ -18,9 +18,14 @@ struct GroupOptions {
   std::vector<std::string> robin = {};      ///< GROUP=ALPHA,V; V like F
 };
 
+/// What can be said of the options without a mesh.
+/// \throw InputError  no GROUP=VALUE, or a value that cannot be read
+void check_form(const GroupOptions& options);
+
 /// The problem these options describe on this mesh. D is 1 if no --diffusion is given at all.
 /// \throw InputError  a value that cannot be read; a group that is not there (the message lists
-///        those that are); a surface without D, or with two; a group without an edge in the mesh
+///        those that are); a surface without D, or with two; a group without an edge in the mesh, or
+///        with two Dirichlet values
 PoissonProblem problem_from(const GroupOptions& options, const Mesh& mesh);
 
 }  // namespace lepp::demo

@@ -46,6 +46,7 @@ void describe(CLI::App& app, CommandLine& line, Choice& choice) {
   repeated("--robin", line.groups.robin, "GROUP=ALPHA,V", "D du/dn = ALPHA (V - u)");
   app.add_option("-o,--output", line.output, "write the solution as .vtu");
   app.add_option("--json", line.json, "write a report for machines; - is the standard output");
+  app.add_flag("--force", line.force, "overwrite the solution of an earlier run");
   app.add_flag("--allow-inadmissible", line.allow_inadmissible,
                "finite volumes on any mesh: the solution may be wrong");
   auto* convergence = app.add_flag("--convergence", choice.convergence,
@@ -89,8 +90,12 @@ int main(int argc, char** argv) {
     if (line.mesh.empty() && !choice.convergence && !choice.maximum_principle) {
       throw CLI::RequiredError("MESH, --convergence or --maximum-principle");
     }
+    check_form(line.groups);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? done : usage;
+  } catch (const lepp::InputError& error) {
+    fmt::print(stderr, "lepp-poisson: {}\n", error.what());
+    return usage;
   }
   try {
     if (!lepp::predicates_self_test()) {

@@ -36,11 +36,14 @@ Mesh read_mesh(const std::string& file) {
                    "make a mesh with `lepp mesh " + file + " -o mesh.msh`");
 }
 
-/// A target that is also the input is refused before any work is done.
-void check_target(const std::string& target, const std::string& mesh) {
+/// A target that is also the input, or would be lost, is refused before any work is done.
+void check_target(const std::string& target, const std::string& mesh, bool overwrite) {
   std::error_code ignored;  // one of them does not exist: they differ
   if (!target.empty() && fs::equivalent(target, mesh, ignored)) {
     throw OutputError(target, "is also the input", "give another file name");
+  }
+  if (!overwrite && fs::is_regular_file(target, ignored)) {
+    throw OutputError(target, "exists already", "choose another name, or add --force");
   }
 }
 
@@ -111,8 +114,8 @@ fs::path make_folder(const std::string& name) {
 }
 
 ExitStatus run_solve(const CommandLine& line) {
-  check_target(line.output, line.mesh);
-  if (line.json != "-") check_target(line.json, line.mesh);
+  check_target(line.output, line.mesh, line.force);
+  if (line.json != "-") check_target(line.json, line.mesh, true);  // a report may be replaced
   const Mesh mesh = read_mesh(line.mesh);
   const PoissonProblem problem = problem_from(line.groups, mesh);
   const VoronoiBoxes boxes = voronoi_boxes(mesh);

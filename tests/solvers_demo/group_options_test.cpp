@@ -62,6 +62,21 @@ TEST_CASE("a surface without D, or with two, is named") {
   check_refused({.source = {"soft=1", "1=2"}}, "already has a source");
 }
 
+TEST_CASE("a group with two Dirichlet values is refused, whether by name or by tag") {
+  check_refused({.dirichlet = {"left=0", "right=1", "left=2"}}, "--dirichlet left=2: this group");
+  check_refused({.dirichlet = {"right=0", "2=1"}}, "already has a value, by --dirichlet right");
+}
+
+TEST_CASE("the form of options is checked without a mesh") {
+  CHECK_NOTHROW(check_form({.diffusion = {"any=1"}, .robin = {"any=1,x"}}));
+  for (const GroupOptions& wrong :
+       {GroupOptions{.diffusion = {"any=0"}}, GroupOptions{.source = {"any"}},
+        GroupOptions{.dirichlet = {"any=z"}}, GroupOptions{.neumann = {"=1"}},
+        GroupOptions{.robin = {"any=1"}}}) {
+    CHECK_THROWS_AS(check_form(wrong), InputError);
+  }
+}
+
 TEST_CASE("values that cannot be read are refused with what was typed") {
   check_refused({.dirichlet = {"left"}}, "--dirichlet left: is not of the form GROUP=VALUE");
   check_refused({.dirichlet = {"left="}}, "GROUP=VALUE");
