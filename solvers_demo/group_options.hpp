@@ -24,8 +24,8 @@ void check_form(const GroupOptions& options);
 
 /// The problem these options describe on this mesh. D is 1 if no --diffusion is given at all.
 /// \throw InputError  a value that cannot be read; a group that is not there (the message lists
-///        those that are); a surface without D, or with two; a group without an edge in the mesh, or
-///        with two Dirichlet values
+///        those that are); a surface without D, or with two; a group without an edge in the mesh,
+///        or with two Dirichlet values
 PoissonProblem problem_from(const GroupOptions& options, const Mesh& mesh);
 
 }  // namespace lepp::demo

@@ -62,10 +62,10 @@ Json describe(const Input& input) {
   info["groups"] = groups_of(entities);
   Json broken = Json::array();
   if (!input.triangles) {
-    for (const PslgViolation& v : validate(pslg))
+    const PslgFindings findings = examine(pslg);
+    for (const PslgViolation& v : findings.violations)
       broken.push_back({{"rule", v.rule}, {"where", v.where}});
-    const bool sound = broken.empty() || broken[0]["rule"] > "P2";
-    if (sound) info["meetings"] = describe_meetings(pslg, find_segment_meetings(pslg));
+    if (findings.meetings) info["meetings"] = describe_meetings(pslg, *findings.meetings);
   }
   info["violations"] = broken;
   info["warnings"] = input.warnings;

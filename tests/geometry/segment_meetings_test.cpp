@@ -74,6 +74,18 @@ TEST_CASE("long segments side by side cost no more than short ones") {
   }
 }
 
+TEST_CASE("examining a PSLG gives its violations and its meetings, unless ids are broken") {
+  Pslg pslg = separate({{{0, 0}, {2, 2}}, {{0, 2}, {2, 0}}});
+  const PslgFindings found = examine(pslg);
+  REQUIRE(found.meetings);
+  CHECK(found.meetings->pairs == find_segment_meetings(pslg).pairs);
+  REQUIRE(found.violations.size() == 1);
+  CHECK(found.violations[0].rule == "P4");
+  pslg.segments[0].b = VertexId(9U);
+  CHECK_FALSE(examine(pslg).meetings);
+  CHECK(examine(pslg).violations.at(0).rule == "P2");
+}
+
 TEST_CASE("a pair is named once, with a point that both have in common") {
   const Pslg pslg = separate({{{0, 0}, {4, 0}}, {{2, -1}, {2, 1}}, {{3, 0}, {6, 0}}});
   const SegmentMeetings found = find_segment_meetings(pslg);

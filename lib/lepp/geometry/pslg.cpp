@@ -156,9 +156,9 @@ void check_ids_and_range(const Pslg& pslg) {
       throw InputError(where, "its curve is missing", "add the curve to Pslg::entities");
     }
     const VertexId v = s.a.index() < points ? s.b : s.a;
-    throw InputError(where, "point index " + std::to_string(v.value) + " is out of range",
-                     "there are " + std::to_string(points) +
-                         " points, counted from 0 in this array");
+    throw InputError(
+        where, "point index " + std::to_string(v.value) + " is out of range",
+        "there are " + std::to_string(points) + " points, counted from 0 in this array");
   }
 }
 
@@ -188,14 +188,17 @@ void check_entities(const Entities& entities, std::size_t points, const std::str
   }
 }
 
-std::vector<PslgViolation> validate(const Pslg& pslg) {
+std::vector<PslgViolation> validate(const Pslg& pslg) { return examine(pslg).violations; }
+
+PslgFindings examine(const Pslg& pslg) {
   try {
     check_ids_and_range(pslg);
   } catch (const InputError& error) {
     const bool range = error.problem().starts_with("coordinate");
-    return {{range ? "P1" : "P2", error.where() + ": " + error.problem()}};
+    return {{{range ? "P1" : "P2", error.where() + ": " + error.problem()}}, {}};
   }
-  return in_words(pslg, find_segment_meetings(pslg));
+  SegmentMeetings found = find_segment_meetings(pslg);
+  return {in_words(pslg, found), std::move(found)};
 }
 
 }  // namespace lepp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,10 +38,19 @@ struct SegmentMeetings {
 
 /// Finds them all.
 /// \pre     P1 and P2
-/// \throw   RefusedError on more than 50 million pairs that meet
+/// \throw   RefusedError on more than 25 million pairs that meet
 /// Cost     O(n log n + what is found) in practice; near_pairs.hpp. A million segments of a coast
 ///          line take about a second.
 SegmentMeetings find_segment_meetings(const Pslg& pslg);
+
+/// What validate() says of a PSLG, and what it looked at.
+struct PslgFindings {
+  std::vector<PslgViolation> violations;    ///< as validate() returns them
+  std::optional<SegmentMeetings> meetings;  ///< nothing if P1 or P2 is broken
+};
+
+/// For those who want both: what costs time is done once.
+PslgFindings examine(const Pslg& pslg);
 
 /// For each point the first one at the same place, itself if it is that.
 std::vector<VertexId> first_copies(const std::vector<Point>& points);
