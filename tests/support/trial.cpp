@@ -36,6 +36,19 @@ bool lies_on_piece(const Arrangement& arrangement, Point p) {
   });
 }
 
+// The plain kernel only warns of it.
+bool has_seeds_in_one_area(const Pslg& pslg) {
+  if (pslg.seeds.size() < 2) return false;
+  try {
+    const auto warnings = plain::constrained_delaunay(pslg).report.warnings;
+    return std::ranges::any_of(warnings, [](const std::string& warning) {
+      return warning.find("in the same area") != std::string::npos;
+    });
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 // Whatever its crossings.
 bool may_be_refused(const Pslg& pslg, const Arrangement& arrangement) {
   const auto on_piece = [&](Point p) { return lies_on_piece(arrangement, p); };
@@ -44,7 +57,8 @@ bool may_be_refused(const Pslg& pslg, const Arrangement& arrangement) {
           pslg.holes.size() >= std::max<std::size_t>(arrangement.closed_faces(), 1)) ||
          std::any_of(pslg.holes.begin(), pslg.holes.end(), on_piece) ||
          std::any_of(pslg.seeds.begin(), pslg.seeds.end(),
-                     [&](const RegionSeed& s) { return on_piece(s.at); });
+                     [&](const RegionSeed& s) { return on_piece(s.at); }) ||
+         has_seeds_in_one_area(pslg);
 }
 
 // What an InputError means, once the oracle has looked for a reason. Rounded crossings can be on a

@@ -253,3 +253,13 @@ TEST_CASE("a triangulation by brute force has the same Delaunay edges") {
     REQUIRE(mesh.triangle_count() == empty);
   }
 }
+
+TEST_CASE("two regions in one area are refused, and both are named") {
+  Pslg pslg = test::unit_square();
+  pslg.entities.surfaces.resize(2);
+  pslg.seeds = {{{0.25, 0.25}, SurfaceId(0U)}, {{0.75, 0.5}, SurfaceId(1U)}};
+  CHECK_THROWS_WITH_AS(constrained_delaunay(pslg), doctest::Contains("region 1 at (0.75, 0.5)"),
+                       InputError);
+  pslg.seeds[1].surface = SurfaceId(0U);
+  CHECK(validate(constrained_delaunay(pslg).mesh).summary() == "valid");
+}

@@ -87,24 +87,34 @@ class SeedRegions {
     if (std::ranges::find(outside_, false) != outside_.end()) return;
     throw InputError(pslg_.source + ", hole " + number(0),
                      "is not enclosed: it removes the whole domain",
-                     "close the ring of segments around the hole");
+                     "close the ring of segments around the hole, or the outer boundary");
   }
 
   void place_seeds() {
     std::vector<Point> points;
     for (const RegionSeed& seed : pslg_.seeds) points.push_back(seed.at);
     const auto places = locate_all(points);
+    std::vector<std::size_t> seed_of(regions_.of_label.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto label = label_at(places[i], points[i], "region " + number(i));
       if (!label) continue;
       auto& surface = regions_.of_label[*label];
-      if (surface && *surface != pslg_.seeds[i].surface) {
-        report_.warnings.push_back("region " + number(i) +
-                                   " lies in the same area as an earlier one: ignored");
-        continue;
+      if (!surface) {
+        surface = pslg_.seeds[i].surface;
+        seed_of[*label] = i;
+      } else if (*surface != pslg_.seeds[i].surface) {
+        throw same_area(seed_of[*label], i);
       }
-      surface = pslg_.seeds[i].surface;
     }
+  }
+
+  InputError same_area(std::size_t first, std::size_t second) const {
+    const auto name = [&](std::size_t i) {
+      return number(i) + " at " + to_text(pslg_.seeds[i].at);
+    };
+    return {pslg_.source + ", region " + name(second),
+            "lies in the same area as region " + name(first) + ", which has another attribute",
+            "close the segments between them, or remove one"};
   }
 
   SurfaceId add_default_surface() {
