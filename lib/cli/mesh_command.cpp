@@ -108,9 +108,15 @@ void add_quality_options(CLI::App& app, MeshCommand& command) {
                  "unified: angles and obtuse angles in one loop; paper: the paper's two steps")
       ->transform(CLI::CheckedTransformer(methods, CLI::ignore_case));
   static const std::map<std::string, Placement> placements{{"centroid", Placement::centroid},
-                                                           {"midpoint", Placement::midpoint}};
-  app.add_option("--placement", refine.placement, "where a new point goes (default centroid)")
+                                                           {"midpoint", Placement::midpoint},
+                                                           {"offcentre", Placement::offcentre},
+                                                           {"best", Placement::best}};
+  app.add_option("--placement", refine.placement, "where a new point goes (default offcentre)")
       ->transform(CLI::CheckedTransformer(placements, CLI::ignore_case));
+  static const std::map<std::string, Effort> efforts{
+      {"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}};
+  app.add_option("--effort", refine.effort, "time spent on fewer vertices (default normal)")
+      ->transform(CLI::CheckedTransformer(efforts, CLI::ignore_case));
   app.add_flag("--no-nonobtuse", command.no_nonobtuse,
                "leave obtuse angles opposite boundary and interface edges");
 }

@@ -85,14 +85,7 @@ class Pipeline {
     if (paper) options.placement = Placement::midpoint;
     const bool together = options_.nonobtuse && !paper;
     options.obtuse = together ? ObtuseRule::split_first : ObtuseRule::ignore;
-    refined_ = is_improvement() ? improve_old_mesh(options) : refine(mesh_, options);
-  }
-
-  // Definition 3 of the paper: the targets are the triangles below the bound, or too large.
-  RefineReport improve_old_mesh(const RefineOptions& options) {
-    std::vector<TriangleId> all;
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) all.emplace_back(t);
-    return improve(mesh_, all, smallest_angle_indicator(options.min_angle_deg), options);
+    refined_ = refine(mesh_, options);
   }
 
   // The post-process may leave angles below the bound and moves triangles, so what is unfinished

@@ -6,11 +6,10 @@
 
 #include "lepp/geometry/text.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
-#include "lepp/refine/bad_triangles.hpp"
+#include "lepp/refine/terminal_loop.hpp"
+#include "lepp/refine/unified_loop.hpp"
 #include "lepp/triangulation/encroached.hpp"
-#include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
-#include "lepp/triangulation/split_constrained.hpp"
 
 namespace lepp {
 
@@ -57,106 +56,6 @@ std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
   const double budget = 50 * (static_cast<double>(mesh.vertex_count()) + 1000 + by_size);
   return static_cast<std::size_t>(std::min(budget, 1e9));
 }
-
-class Refiner {
- public:
-  Refiner(Mesh& mesh, const RefineOptions& options, Judge judge)
-      : mesh_(mesh),
-        options_(options),
-        floor_(default_size_floor(mesh)),
-        budget_(vertex_budget(mesh, options)),
-        bad_(std::move(judge)) {}
-
-  void add_target(TriangleId t) { bad_.add(mesh_, t); }
-
-  // Between two turns the mesh satisfies M1 to M6. Ends: each turn adds a vertex, of which there
-  // are at most `budget_`, or drops an entry for good.
-  void run() {
-    const std::size_t at_start = mesh_.vertex_count();
-    std::optional<EncroachedEdges> encroached;
-    if (options_.obtuse == ObtuseRule::split_first) encroached.emplace(mesh_);
-    while (may_go_on()) {
-      changed_.clear();
-      if (const auto e = encroached ? encroached->next(mesh_) : std::nullopt) {
-        // Features of the input below the size floor stay as they are: cutting only spreads them.
-        if (!at_input_feature(mesh_, e->triangle, 2 * floor_)) cut(*e);
-      } else if (const auto t = bad_.worst(mesh_)) {
-        improve(*t);
-      } else {
-        break;
-      }
-      if (encroached) encroached->update(mesh_, changed_);
-      for (const TriangleId t : changed_) bad_.add(mesh_, t);
-    }
-    steiner_points_ = mesh_.vertex_count() - at_start;
-  }
-
-  std::size_t steiner_points() const { return steiner_points_; }
-  // The reason of triangles that nothing in the input excuses.
-  Reason own_reason() const { return stopped_.value_or(Reason::size_floor); }
-
- private:
-  bool may_go_on() {
-    if (mesh_.vertex_count() >= budget_) stopped_ = Reason::budget;
-    else if (options_.progress && !options_.progress(mesh_.vertex_count())) {
-      stopped_ = Reason::cancelled;
-    }
-    return !stopped_;
-  }
-
-  // Cuts a constrained edge; false if that is not possible.
-  bool cut(HalfEdge e) {
-    const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
-    changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
-    return !split.vertices.empty();
-  }
-
-  void improve(TriangleId t) {
-    const auto vertices = mesh_.vertices(t);
-    const auto point = steiner_point(mesh_, terminal_edge(mesh_, t), options_.placement);
-    if (!point || !insert(*point)) return;  // the size floor: dropped until a neighbour changes
-    if (mesh_.vertices(t) == vertices) bad_.add(mesh_, t);
-  }
-
-  bool insert(const SteinerPoint& s) {
-    if (s.where == SteinerPoint::Where::constrained_edge) return cut(s.edge);
-    if (options_.obtuse == ObtuseRule::split_first) {
-      const auto encroached = edges_encroached_by(mesh_, s.triangle, s.point);
-      if (!encroached.empty()) return cut_first_possible(encroached);
-    }
-    if (is_too_close(s)) return false;
-    const VertexOrigin origin{VertexOrigin::Kind::interior, 0};
-    const Insertion done = s.where == SteinerPoint::Where::edge
-                               ? insert_on_edge(mesh_, s.edge, s.point, origin)
-                               : insert_in_triangle(mesh_, s.triangle, s.point, origin);
-    changed_.insert(changed_.end(), done.changed.begin(), done.changed.end());
-    return true;
-  }
-
-  // A cut moves the others to other triangles, so one at a time; the rest come up again.
-  bool cut_first_possible(const std::vector<HalfEdge>& edges) {
-    return std::ranges::any_of(edges, [&](HalfEdge e) { return cut(e); });
-  }
-
-  bool is_too_close(const SteinerPoint& s) const {
-    const auto near = [&](TriangleId t) {
-      const auto corners = mesh_.corners(t);
-      return std::ranges::any_of(
-          corners, [&](Point c) { return squared_distance(c, s.point) < floor_ * floor_; });
-    };
-    const auto across = mesh_.twin(s.edge);
-    return near(s.triangle) || (across && near(across->triangle));
-  }
-
-  Mesh& mesh_;
-  const RefineOptions& options_;
-  double floor_;
-  std::size_t budget_;
-  BadTriangles bad_;
-  std::vector<TriangleId> changed_;
-  std::size_t steiner_points_ = 0;
-  std::optional<Reason> stopped_;
-};
 
 // What is asked of each triangle: sizes and, in the shape of an indicator, quality.
 class Bounds {
@@ -248,6 +147,10 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
   return result;
 }
 
+bool is_off_centre(Placement placement) {
+  return placement == Placement::offcentre || placement == Placement::best;
+}
+
 std::vector<TriangleId> all_triangles(const Mesh& mesh) {
   std::vector<TriangleId> all;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) all.emplace_back(t);
@@ -273,18 +176,30 @@ RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
   check(options);
   const Bounds bounds(mesh, options, quality);
   const Untouched untouched(mesh, targets);
-  Refiner refiner(mesh, options, [&](const Mesh& m, TriangleId t) { return bounds.judge(m, t); });
-  for (const TriangleId t : targets) refiner.add_target(t);
-  refiner.run();
-  RefineReport report =
-      list_unfinished(mesh, bounds, options.obtuse, untouched, refiner.own_reason());
-  report.steiner_points = refiner.steiner_points();
+  RefineOptions terminal = options;
+  if (is_off_centre(options.placement)) terminal.placement = Placement::centroid;
+  const std::size_t before = mesh.vertex_count();
+  TerminalLoop loop(mesh, terminal, vertex_budget(mesh, options),
+                    [&](const Mesh& m, TriangleId t) { return bounds.judge(m, t); });
+  for (const TriangleId t : targets) loop.add_target(t);
+  loop.run();
+  RefineReport report = list_unfinished(mesh, bounds, options.obtuse, untouched,
+                                        loop.stopped().value_or(Reason::size_floor));
+  report.steiner_points = mesh.vertex_count() - before;
   return report;
 }
 
 RefineReport refine(Mesh& mesh, const RefineOptions& options) {
   check(options);
   const auto targets = all_triangles(mesh);
+  if (is_off_centre(options.placement)) {
+    const std::size_t before = mesh.vertex_count();
+    UnifiedLoop loop(mesh, options, vertex_budget(mesh, options));
+    loop.run();
+    RefineReport report = judge(mesh, options, loop.stopped().value_or(Reason::size_floor));
+    report.steiner_points = mesh.vertex_count() - before;
+    return report;
+  }
   return improve(mesh, targets, smallest_angle_indicator(options.min_angle_deg), options);
 }
 

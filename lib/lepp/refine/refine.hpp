@@ -20,11 +20,19 @@ enum class ObtuseRule {
   ignore,       ///< they are left alone (nonobtuse.hpp can remove them afterwards)
 };
 
+/// How much time goes into fewer vertices. Every effort keeps every promise.
+enum class Effort {
+  fast,    ///< one pass of insertions
+  normal,  ///< vertices are moved before others are inserted, and needless ones removed
+  best,    ///< several rounds of moving, removing and inserting again
+};
+
 struct RefineOptions {
   double min_angle_deg = 30;  ///< 0 to 45; 0 asks for nothing, above 36 is not promised
   double max_edge = std::numeric_limits<double>::infinity();  ///< longest edge wanted, > 0
   double max_area = std::numeric_limits<double>::infinity();  ///< largest triangle wanted, > 0
-  Placement placement = Placement::centroid;
+  Placement placement = Placement::offcentre;
+  Effort effort = Effort::normal;
   ObtuseRule obtuse = ObtuseRule::split_first;
   /// Largest number of vertices, all included; 0 means the default budget,
   /// 50 * (input vertices + 1000 + area / (0.43 h^2)) where a size h is asked for.

@@ -41,7 +41,7 @@ std::optional<SteinerPoint> steiner_point(const Mesh& mesh, HalfEdge terminal,
     const HalfEdge second = edges_by_length(mesh, t)[1];
     if (mesh.is_constrained(second)) return SteinerPoint{Where::constrained_edge, second, t, {}};
   }
-  if (placement == Placement::centroid) return at_centroid(mesh, terminal);
+  if (placement != Placement::midpoint) return at_centroid(mesh, terminal);
   const Point a = mesh.point(mesh.origin(terminal)), b = mesh.point(mesh.destination(terminal));
   return on_edge(mesh, terminal, in_supported_range(midpoint(a, b)));
 }

@@ -6,10 +6,14 @@
 
 namespace lepp {
 
-/// Where the new point of a terminal pair goes.
+/// Where a new point goes. The first two are rule C's: at the end of the target's LEPP, and a
+/// constrained edge that is second longest there is cut. The others look for a place near the
+/// target's off-centre, and cut a constrained edge only where a point would encroach it.
 enum class Placement {
-  centroid,  ///< average of the pair's four vertices
-  midpoint,  ///< midpoint of the terminal edge: the paper's
+  centroid,   ///< average of the pair's four vertices
+  midpoint,   ///< midpoint of the terminal edge: the paper's
+  offcentre,  ///< a good place in the cavity of the target's off-centre, else the off-centre
+  best,       ///< the same in the cavities of several candidates
 };
 
 /// What to insert at the end of a LEPP: a cut of constrained edge `edge`, or a point on

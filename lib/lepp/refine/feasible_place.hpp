@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lepp/geometry/point.hpp"
+#include "lepp/triangulation/relocate.hpp"
+
+namespace lepp {
+
+/// Where the center of a star can go so that every angle of the star reaches a bound. Each edge ab
+/// of its link, seen counter-clockwise, asks for three things of the center p:
+///
+///           ______              the angles at a and b reach the bound: p lies left of a line
+///         /  p     \            through a, and of one through b (two half-planes);
+///        |  / \     |           the angle at p does: p lies in a disc through a and b.
+///         \/   \   /            A constrained ab asks for more: p outside its diametral circle.
+///     ----a-----b----
+///
+/// But for the last, this is convex. A polygon is cut down by the half-planes, then by tangents of
+/// the circles that its centroid violates, until the centroid is good or nothing is left.
+class FeasiblePlace {
+ public:
+  explicit FeasiblePlace(double min_angle_deg);
+
+  /// \param near  a point near the star, or in it: differences from it are what is rounded
+  /// \return a place well inside the feasible region, or nothing if there is none (or it is tiny)
+  std::optional<Point> find(const Star& star, Point near);
+
+ private:
+  struct Edge {
+    Point a, b;
+    bool constrained;
+  };
+  // Keeps the points with dot(normal, p) >= least; false if none is left.
+  bool cut(Point normal, double least);
+  bool cut_by_lines(const Edge& e);
+  // Cuts off `p` where a circle forbids it. False if nothing is left.
+  bool cut_by_circles(const Edge& e, Point p, bool& good);
+  std::optional<Point> centroid() const;
+
+  double cos_, sin_;
+  std::vector<Edge> edges_;
+  std::vector<Point> polygon_, next_;
+  std::vector<double> sides_;
+};
+
+}  // namespace lepp

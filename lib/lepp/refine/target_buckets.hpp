@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "lepp/refine/angle_test.hpp"
+#include "lepp/refine/refine.hpp"
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// The triangles still to be worked on, in a few buckets: too large, then by smallest angle. Worst
+/// bucket first, last in first out inside it, so the next target mostly lies beside the last
+/// change. Entries are dropped when their triangle has changed by the time they come up.
+class TargetBuckets {
+ public:
+  TargetBuckets(const Mesh& mesh, const RefineOptions& options);
+
+  /// Adds `t` if it is too large or has a small angle.
+  void add(const Mesh& mesh, TriangleId t);
+  /// Takes out the next one that is still there.
+  std::optional<TriangleId> next(const Mesh& mesh);
+
+  bool is_too_large(const Mesh& mesh, TriangleId t) const;
+
+ private:
+  static constexpr std::size_t angle_buckets = 4;
+  struct Entry {
+    TriangleId triangle;
+    std::array<VertexId, 3> vertices;
+  };
+
+  const RefineOptions& options_;
+  AngleTest angle_;
+  std::size_t first_ = 0;  // the buckets before it are empty
+  bool any_size_ = false;
+  std::array<double, angle_buckets - 1> limits_;  // cos^2 of the smallest angle, worst first
+  std::array<std::vector<Entry>, angle_buckets + 1> buckets_;
+};
+
+}  // namespace lepp

@@ -1,0 +1,123 @@
+#include "lepp/refine/unified_loop.hpp"
+
+#include <algorithm>
+
+#include "lepp/refine/straight_walk.hpp"
+#include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/sharp_vertex.hpp"
+#include "lepp/triangulation/split.hpp"
+#include "lepp/triangulation/split_constrained.hpp"
+
+namespace lepp {
+
+namespace {
+
+// So many triangles of the start are looked at together: their neighbourhood stays in the cache.
+constexpr std::size_t seeds_at_once = 16384;
+
+}  // namespace
+
+UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t budget)
+    : mesh_(mesh),
+      options_(options),
+      floor_(default_size_floor(mesh)),
+      budget_(budget),
+      off_centre_(options.min_angle_deg),
+      good_star_(mesh, options, floor_),
+      targets_(mesh, options) {}
+
+void UnifiedLoop::run() {
+  next_seed_ = 0;
+  seeds_ = mesh_.triangle_count();
+  if (options_.obtuse == ObtuseRule::split_first) encroached_.emplace(mesh_);
+  while (may_go_on() && take_turn()) {
+    for (const TriangleId t : changed_) targets_.add(mesh_, t);
+  }
+}
+
+// False if there is nothing left to do.
+bool UnifiedLoop::take_turn() {
+  changed_.clear();
+  if (const auto e = encroached_ ? encroached_->next(mesh_) : std::nullopt) {
+    // Features of the input below the size floor stay as they are: cutting only spreads them.
+    if (!at_input_feature(mesh_, e->triangle, 2 * floor_)) cut(*e);
+  } else if (const auto t = targets_.next(mesh_)) {
+    if (is_improvable(*t)) improve(*t);
+  } else if (next_seed_ < seeds_) {
+    const std::size_t end = std::min(next_seed_ + seeds_at_once, seeds_);
+    for (; next_seed_ < end; ++next_seed_) targets_.add(mesh_, TriangleId(next_seed_));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool UnifiedLoop::may_go_on() {
+  if (mesh_.vertex_count() >= budget_) {
+    stopped_ = Reason::budget;
+  } else if (options_.progress && !options_.progress(mesh_.vertex_count())) {
+    stopped_ = Reason::cancelled;
+  }
+  return !stopped_;
+}
+
+bool UnifiedLoop::is_improvable(TriangleId t) const {
+  const auto is_interior = [&](VertexId v) {
+    return mesh_.origin_of(v).kind == VertexOrigin::Kind::interior;
+  };
+  if (std::ranges::all_of(mesh_.vertices(t), is_interior)) return true;
+  if (targets_.is_too_large(mesh_, t)) return true;
+  return !smallest_angle_between_constrained(mesh_, t) && !shortest_edge_is_seditious(mesh_, t) &&
+         !at_input_feature(mesh_, t, 2 * floor_);
+}
+
+void UnifiedLoop::improve(TriangleId t) {
+  const auto vertices = mesh_.vertices(t);
+  if (move_a_corner(t)) return;
+  insert_near(t);
+  // Nothing changed: the size floor. It is dropped until a neighbour changes.
+  if (!changed_.empty() && mesh_.vertices(t) == vertices) targets_.add(mesh_, t);
+}
+
+bool UnifiedLoop::move_a_corner(TriangleId t) {
+  if (options_.effort == Effort::fast || targets_.is_too_large(mesh_, t)) return false;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (good_star_.move_corner(t, i, changed_)) return true;
+  }
+  return false;
+}
+
+void UnifiedLoop::insert_near(TriangleId t) {
+  const auto [a, b, c] = mesh_.corners(t);
+  const Point p = in_supported_range(off_centre_(a, b, c));
+  const WayEnd end = straight_walk(mesh_, t, p);
+  if (end.barrier) {
+    cut(*end.barrier);
+    return;
+  }
+  if (!contains(mesh_, end.triangle, p)) return;
+  const bool possible = cavity_.find(mesh_, end.triangle, p);
+  if (possible && good_star_.insert(cavity_, p, changed_)) return;
+  for (const auto& rim : cavity_.rim()) {
+    if (rim.constrained && would_encroach(mesh_, rim.inside, p) && cut(rim.inside)) return;
+  }
+  if (!possible || is_too_close(p)) return;
+  cavity_.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
+  changed_.insert(changed_.end(), cavity_.triangles().begin(), cavity_.triangles().end());
+}
+
+// Cuts a constrained edge; false if that is not possible.
+bool UnifiedLoop::cut(HalfEdge e) {
+  const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
+  changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
+  if (encroached_) encroached_->update(mesh_, split.changed);
+  return !split.vertices.empty();
+}
+
+bool UnifiedLoop::is_too_close(Point p) const {
+  return std::ranges::any_of(cavity_.rim(), [&](const Cavity::RimEdge& e) {
+    return squared_distance(mesh_.point(e.origin), p) < floor_ * floor_;
+  });
+}
+
+}  // namespace lepp

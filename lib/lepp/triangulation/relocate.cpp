@@ -1,0 +1,52 @@
+#include "lepp/triangulation/relocate.hpp"
+
+#include "lepp/geometry/predicates.hpp"
+#include "lepp/triangulation/flip.hpp"
+
+namespace lepp {
+
+void Star::clear() {
+  link.clear();
+  points.clear();
+  constrained.clear();
+}
+
+void Star::add(const Mesh& mesh, HalfEdge outer) {
+  link.push_back(outer);
+  points.push_back(mesh.point(mesh.origin(outer)));
+  constrained.push_back(mesh.is_constrained(outer) ? 1 : 0);
+}
+
+bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star) {
+  star.clear();
+  HalfEdge outer{t, corner};
+  do {
+    const HalfEdge spoke = next_edge(outer);  // arrives at the center
+    if (mesh.is_constrained(spoke)) return false;
+    star.add(mesh, outer);
+    outer = next_edge(*mesh.twin(spoke));
+  } while (outer.triangle != t);
+  return true;
+}
+
+bool sees_link(const Star& star, Point p) {
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    if (orient2d(p, star.from(i), star.to(i)) <= 0) return false;
+  }
+  return true;
+}
+
+void move_vertex(Mesh& mesh, VertexId v, const Star& star, Point p,
+                 std::vector<TriangleId>& changed) {
+  mesh.move_vertex(v, p);
+  std::vector<HalfEdge> suspects;
+  suspects.reserve(2 * star.size());
+  for (const HalfEdge outer : star.link) {
+    changed.push_back(outer.triangle);
+    suspects.push_back(outer);
+    suspects.push_back(next_edge(outer));  // one spoke of each triangle
+  }
+  restore_delaunay(mesh, suspects, &changed);
+}
+
+}  // namespace lepp

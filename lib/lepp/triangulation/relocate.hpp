@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// The triangles around a vertex that ends no constrained edge, or around a point that is to
+/// become one.
+struct Star {
+  /// Edge i of the link, counter-clockwise, seen from its triangle (opposite the center).
+  std::vector<HalfEdge> link;
+  std::vector<Point> points;      ///< points[i] is where link[i] starts
+  std::vector<char> constrained;  ///< 1 where link[i] is
+
+  std::size_t size() const { return link.size(); }
+  Point from(std::size_t i) const { return points[i]; }
+  Point to(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
+  void clear();
+  void add(const Mesh& mesh, HalfEdge outer);
+};
+
+/// Makes `star` the star of corner `corner` of `t`, from `t` on; it keeps its memory.
+/// \return false if an edge at that vertex is constrained
+bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star);
+
+/// True if every triangle of the star is counter-clockwise (exact) with its center at `p`.
+bool sees_link(const Star& star, Point p);
+
+/// Moves `v`, the center of `star`, to `p`, and makes the mesh constrained Delaunay again.
+/// \pre    sees_link(star, p); nothing has changed since find_star()
+/// \param changed  triangles with other corners or coordinates are appended, perhaps repeatedly
+/// Cost    O(degree) where `p` is near
+void move_vertex(Mesh& mesh, VertexId v, const Star& star, Point p,
+                 std::vector<TriangleId>& changed);
+
+}  // namespace lepp
