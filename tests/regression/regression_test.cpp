@@ -33,7 +33,7 @@ TEST_CASE("inputs that once showed a bug give valid meshes with reasons that hol
     CHECK(report.goal_reached != endless);
     const bool below_floor = std::ranges::any_of(
         report.unfinished, [](const Unfinished& u) { return u.reason == Reason::input_feature; });
-    CHECK(certify(mesh).admissible == (!endless && !below_floor));
+    if (!endless) CHECK(certify(mesh).admissible == !below_floor);
   }
   CHECK(files >= 5);
 }

@@ -18,18 +18,21 @@ Point left_of(Point d) { return {-d.y, d.x}; }
 
 FeasiblePlace::FeasiblePlace(double min_angle_deg)
     : cos_(std::cos((min_angle_deg + surplus_deg) * std::numbers::pi / 180)),
-      sin_(std::sin((min_angle_deg + surplus_deg) * std::numbers::pi / 180)) {}
+      sin_(std::sin((min_angle_deg + surplus_deg) * std::numbers::pi / 180)),
+      most_edges_(static_cast<std::size_t>(std::min(360 / (min_angle_deg + surplus_deg), 40.0))) {}
 
 std::optional<Point> FeasiblePlace::find(const Star& star, Point near) {
-  edges_.clear();
-  Point low, high;
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const Point a = star.from(i) - near;
-    edges_.push_back({a, star.to(i) - near, star.constrained[i] != 0});
-    low = {std::min(low.x, a.x), std::min(low.y, a.y)};
-    high = {std::max(high.x, a.x), std::max(high.y, a.y)};
-  }
-  polygon_.assign({low, {high.x, low.y}, high, {low.x, high.y}});
+  if (!set_edges(star, near)) return std::nullopt;
+  // All places lie in the disc of the shortest edge.
+  const Edge& shortest = edges_.front();
+  const Point center =
+      midpoint(shortest.a, shortest.b) + (0.5 * cos_ / sin_) * left_of(shortest.b - shortest.a);
+  const double r = 0.5 * std::sqrt(shortest.squared_length) / sin_;
+  polygon_[0] = center + Point{-r, -r};
+  polygon_[1] = center + Point{r, -r};
+  polygon_[2] = center + Point{r, r};
+  polygon_[3] = center + Point{-r, r};
+  corners_ = 4;
   for (const Edge& e : edges_) {
     if (!cut_by_lines(e)) return std::nullopt;
   }
@@ -45,6 +48,22 @@ std::optional<Point> FeasiblePlace::find(const Star& star, Point near) {
   return std::nullopt;
 }
 
+// The shortest edge first, which leaves least, then the longest, which is likely to forbid that.
+bool FeasiblePlace::set_edges(const Star& star, Point near) {
+  if (star.size() > most_edges_) return false;  // each takes its share of 360 degrees
+  edges_.clear();
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Point a = star.from(i) - near, b = star.to(i) - near;
+    edges_.push_back({a, b, squared_distance(a, b), star.link[i].constrained});
+  }
+  const auto by_length = [](const Edge& e, const Edge& f) {
+    return e.squared_length < f.squared_length;
+  };
+  std::iter_swap(edges_.begin(), std::ranges::min_element(edges_, by_length));
+  std::iter_swap(edges_.begin() + 1, std::max_element(edges_.begin() + 1, edges_.end(), by_length));
+  return true;
+}
+
 bool FeasiblePlace::cut_by_lines(const Edge& e) {
   const Point d = e.b - e.a, n = left_of(d);
   const Point from_a = cos_ * n - sin_ * d, from_b = cos_ * n + sin_ * d;
@@ -53,7 +72,7 @@ bool FeasiblePlace::cut_by_lines(const Edge& e) {
 
 bool FeasiblePlace::cut_by_circles(const Edge& e, Point p, bool& good) {
   const Point d = e.b - e.a, n = left_of(d), middle = midpoint(e.a, e.b);
-  const double quarter = 0.25 * dot(d, d);
+  const double quarter = 0.25 * e.squared_length;
   const Point center = middle + (0.5 * cos_ / sin_) * n;
   const double squared_radius = quarter / (sin_ * sin_);
   const double off = squared_distance(center, p);
@@ -72,33 +91,32 @@ bool FeasiblePlace::cut_by_circles(const Edge& e, Point p, bool& good) {
 }
 
 bool FeasiblePlace::cut(Point normal, double least) {
-  sides_.clear();
-  bool any_in = false, any_out = false;
-  for (const Point p : polygon_) {
-    const double side = dot(normal, p) - least;
-    sides_.push_back(side);
-    (side >= 0 ? any_in : any_out) = true;
+  std::array<double, most_corners> side;
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < corners_; ++i) {
+    side[i] = dot(normal, polygon_[i]) - least;
+    inside += side[i] >= 0 ? 1 : 0;
   }
-  if (!any_in) return false;
-  if (!any_out) return true;
-  next_.clear();
-  for (std::size_t i = 0; i < polygon_.size(); ++i) {
-    const std::size_t j = i + 1 == polygon_.size() ? 0 : i + 1;
-    const double here = sides_[i], there = sides_[j];
-    if (here >= 0) next_.push_back(polygon_[i]);
-    if ((here >= 0) != (there >= 0)) {
-      next_.push_back(polygon_[i] + here / (here - there) * (polygon_[j] - polygon_[i]));
+  if (inside == corners_) return true;
+  if (inside == 0 || corners_ + 2 > most_corners) return false;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < corners_; ++i) {
+    const std::size_t j = i + 1 == corners_ ? 0 : i + 1;
+    if (side[i] >= 0) next_[n++] = polygon_[i];
+    if ((side[i] >= 0) != (side[j] >= 0)) {
+      next_[n++] = polygon_[i] + side[i] / (side[i] - side[j]) * (polygon_[j] - polygon_[i]);
     }
   }
-  polygon_.swap(next_);
+  std::copy_n(next_.begin(), n, polygon_.begin());
+  corners_ = n;
   return true;
 }
 
 std::optional<Point> FeasiblePlace::centroid() const {
-  const Point o = polygon_.front();
+  const Point o = polygon_[0];
   Point sum;
   double area = 0;
-  for (std::size_t i = 1; i + 1 < polygon_.size(); ++i) {
+  for (std::size_t i = 1; i + 1 < corners_; ++i) {
     const Point u = polygon_[i] - o, w = polygon_[i + 1] - o;
     const double part = cross(u, w);
     area += part;

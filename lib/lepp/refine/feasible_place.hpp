@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -30,8 +31,13 @@ class FeasiblePlace {
  private:
   struct Edge {
     Point a, b;
+    double squared_length;
     bool constrained;
   };
+  static constexpr std::size_t most_corners = 96;
+
+  /// Puts the edges in the order that finds out soonest when nothing is left.
+  bool set_edges(const Star& star, Point near);
   // Keeps the points with dot(normal, p) >= least; false if none is left.
   bool cut(Point normal, double least);
   bool cut_by_lines(const Edge& e);
@@ -40,9 +46,10 @@ class FeasiblePlace {
   std::optional<Point> centroid() const;
 
   double cos_, sin_;
+  std::size_t most_edges_;
   std::vector<Edge> edges_;
-  std::vector<Point> polygon_, next_;
-  std::vector<double> sides_;
+  std::size_t corners_ = 0;  // of the polygon
+  std::array<Point, most_corners> polygon_, next_;
 };
 
 }  // namespace lepp

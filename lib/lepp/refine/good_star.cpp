@@ -19,13 +19,13 @@ GoodStar::GoodStar(Mesh& mesh, const RefineOptions& options, double floor)
       floor_(floor),
       encroaching_allowed_(options.obtuse == ObtuseRule::ignore),
       angle_(options.min_angle_deg),
+      size_(mesh, options),
       place_(options.min_angle_deg) {}
 
 bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<TriangleId>& changed) {
   const VertexId v = mesh_.vertex(t, corner);
-  if (mesh_.origin_of(v).kind != VertexOrigin::Kind::interior) return false;
   if (moves_.size() <= v.index()) moves_.resize(2 * mesh_.vertex_count(), 0);
-  if (moves_[v.index()] == most_moves || !find_star(mesh_, t, corner, star_)) return false;
+  if (moves_[v.index()] == most_moves || !is_interior_star(t, corner, star_)) return false;
   const auto place = place_.find(star_, mesh_.point(v));
   if (!place) return false;
   const Point p = in_supported_range(*place);
@@ -36,7 +36,7 @@ bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<Trian
 }
 
 bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed) {
-  star_.clear();
+  star_.link.clear();
   for (const auto& rim : cavity.rim()) star_.add(mesh_, rim.inside);
   const auto place = place_.find(star_, p);
   if (!place) return false;
@@ -53,11 +53,39 @@ bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed)
   return true;
 }
 
+bool GoodStar::is_interior_star(TriangleId t, std::uint32_t corner, Star& star) const {
+  return mesh_.origin_of(mesh_.vertex(t, corner)).kind == VertexOrigin::Kind::interior &&
+         find_star(mesh_, t, corner, star);
+}
+
+//         x          e = v -> w. Without the edges at v and w, the link of v leads from x to y and
+//       / | \        that of w back to x. find_star() lists them from the edge beside `e` on.
+//      v--e--w
+//       \ | /
+//         y
+std::optional<Point> GoodStar::place_for_both(HalfEdge e) {
+  if (mesh_.is_constrained(e)) return std::nullopt;
+  const HalfEdge f = *mesh_.twin(e);
+  star_.link.clear();
+  for (const HalfEdge side : {e, f}) {
+    if (!is_interior_star(side.triangle, next_corner(side.edge), part_)) return std::nullopt;
+    for (std::size_t i = 1; i + 1 < part_.size(); ++i) star_.link.push_back(part_.link[i]);
+  }
+  const Point v = mesh_.point(mesh_.origin(e)), w = mesh_.point(mesh_.destination(e));
+  const auto place = place_.find(star_, midpoint(v, w));
+  if (!place) return std::nullopt;
+  const Point p = in_supported_range(*place);
+  if (!is_good(p) || encroaches_beyond_link(p)) return std::nullopt;
+  return p;
+}
+
 bool GoodStar::is_good(Point p) const {
   if (!sees_link(star_, p)) return false;
+  const SurfaceId region = mesh_.region(star_.link.front().edge.triangle);
   for (std::size_t i = 0; i < star_.size(); ++i) {
     const Point a = star_.from(i), b = star_.to(i);
     if (angle_.is_below(p, a, b) || squared_distance(a, p) < floor_ * floor_) return false;
+    if (size_.is_too_large(p, a, b, region)) return false;
   }
   return true;
 }
@@ -65,7 +93,8 @@ bool GoodStar::is_good(Point p) const {
 // Flips will join p to what lies beyond the link, as far as circumcircles hold p.
 bool GoodStar::encroaches_beyond_link(Point p) {
   if (encroaching_allowed_) return false;
-  stack_.assign(star_.link.begin(), star_.link.end());
+  stack_.clear();
+  for (const auto& side : star_.link) stack_.push_back(side.edge);
   std::size_t left = mesh_.triangle_count();
   while (!stack_.empty()) {  // ends: by `left`, long before by the tree that cavities are
     const HalfEdge e = stack_.back();

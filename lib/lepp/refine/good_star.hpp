@@ -6,13 +6,14 @@
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/refine/feasible_place.hpp"
 #include "lepp/refine/refine.hpp"
+#include "lepp/refine/size_test.hpp"
 #include "lepp/triangulation/cavity.hpp"
 #include "lepp/triangulation/relocate.hpp"
 
 namespace lepp {
 
-/// Puts vertices where every triangle around them is good: no angle below the bound, no constrained
-/// edge encroached. The flips that follow only raise the smallest angle.
+/// Puts vertices where every triangle around them is good: no angle below the bound, not too large,
+/// no constrained edge encroached. The flips that follow only raise the smallest angle.
 class GoodStar {
  public:
   GoodStar(Mesh& mesh, const RefineOptions& options, double floor);
@@ -25,7 +26,12 @@ class GoodStar {
   /// \pre cavity.find() returned true for `p`, nothing changed since
   bool insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed);
 
+  /// The place of one vertex that can stand for both ends of `e` with all triangles around it good.
+  /// \return nothing if there is none, or an end is no interior Steiner point
+  std::optional<Point> place_for_both(HalfEdge e);
+
  private:
+  bool is_interior_star(TriangleId t, std::uint32_t corner, Star& star) const;
   bool is_good(Point p) const;
   bool encroaches_beyond_link(Point p);
 
@@ -33,8 +39,9 @@ class GoodStar {
   double floor_;
   bool encroaching_allowed_;
   AngleTest angle_;
+  SizeTest size_;
   FeasiblePlace place_;
-  Star star_;
+  Star star_, part_;
   std::vector<HalfEdge> stack_;
   std::vector<std::uint8_t> moves_;  // by vertex
 };

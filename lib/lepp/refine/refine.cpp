@@ -6,6 +6,7 @@
 
 #include "lepp/geometry/text.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/refine/clean_up.hpp"
 #include "lepp/refine/terminal_loop.hpp"
 #include "lepp/refine/unified_loop.hpp"
 #include "lepp/triangulation/encroached.hpp"
@@ -128,18 +129,19 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
                              const Untouched& untouched, Reason otherwise) {
   RefineReport result;
   result.goal_reached = true;
-  const InputReasons input(mesh);
+  std::optional<InputReasons> input;  // made for the first triangle that needs it
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     if (untouched(mesh, t)) continue;
     const bool too_large = bounds.excess(mesh, t) > 1;
     const bool obtuse_left = obtuse == ObtuseRule::split_first && faces_obtuse_constrained(mesh, t);
     if (!too_large && !obtuse_left && !bounds.poor(mesh, t)) continue;
+    if (!input) input.emplace(mesh);
     Reason reason = otherwise;
     if (obtuse_left) {  // no input angle forces an obtuse one: cutting the edge removes it
-      if (!too_large && input.by_feature(t)) reason = Reason::input_feature;
+      if (!too_large && input->by_feature(t)) reason = Reason::input_feature;
     } else if (!too_large) {
-      reason = input.of(t).value_or(otherwise);
+      reason = input->of(t).value_or(otherwise);
     }
     result.unfinished.push_back({t, reason});
     if (!is_forced_by_input(reason)) result.goal_reached = false;
@@ -189,16 +191,29 @@ RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
   return report;
 }
 
+namespace {
+
+// The clean-up leaves nothing for the loop to do, but for sizes that flips have changed.
+RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
+  const std::size_t before = mesh.vertex_count();
+  UnifiedLoop loop(mesh, options, vertex_budget(mesh, options));
+  loop.run();
+  if (options.effort != Effort::fast && options.min_angle_deg > 0 && !loop.stopped()) {
+    CleanUp(mesh, options, default_size_floor(mesh)).run();
+    loop.run();
+  }
+  RefineReport report = judge(mesh, options, loop.stopped().value_or(Reason::size_floor));
+  report.steiner_points = mesh.vertex_count() - before;
+  return report;
+}
+
+}  // namespace
+
 RefineReport refine(Mesh& mesh, const RefineOptions& options) {
   check(options);
   const auto targets = all_triangles(mesh);
   if (is_off_centre(options.placement)) {
-    const std::size_t before = mesh.vertex_count();
-    UnifiedLoop loop(mesh, options, vertex_budget(mesh, options));
-    loop.run();
-    RefineReport report = judge(mesh, options, loop.stopped().value_or(Reason::size_floor));
-    report.steiner_points = mesh.vertex_count() - before;
-    return report;
+    return refine_unified(mesh, options);
   }
   return improve(mesh, targets, smallest_angle_indicator(options.min_angle_deg), options);
 }

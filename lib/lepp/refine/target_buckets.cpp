@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lepp/geometry/triangle_measures.hpp"
-
 namespace lepp {
 
 TargetBuckets::TargetBuckets(const Mesh& mesh, const RefineOptions& options)
-    : options_(options), angle_(options.min_angle_deg) {
-  const auto has_limit = [](const SurfaceEntity& s) { return std::isfinite(s.max_area); };
-  any_size_ = std::isfinite(options.max_edge) || std::isfinite(options.max_area) ||
-              std::ranges::any_of(mesh.entities().surfaces, has_limit);
+    : angle_(options.min_angle_deg), size_(mesh, options) {
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const double part = static_cast<double>(i + 1) / static_cast<double>(angle_buckets);
     limits_[i] = AngleTest::squared_cos(part * options.min_angle_deg);
@@ -20,7 +15,7 @@ TargetBuckets::TargetBuckets(const Mesh& mesh, const RefineOptions& options)
 
 void TargetBuckets::add(const Mesh& mesh, TriangleId t) {
   const auto [a, b, c] = mesh.corners(t);
-  if (is_too_large(mesh, t)) {
+  if (size_.is_too_large(t)) {
     buckets_.front().push_back({t, mesh.vertices(t)});
     first_ = 0;
   } else if (angle_.is_below(a, b, c)) {
@@ -45,15 +40,6 @@ std::optional<TriangleId> TargetBuckets::next(const Mesh& mesh) {
     }
   }
   return std::nullopt;
-}
-
-bool TargetBuckets::is_too_large(const Mesh& mesh, TriangleId t) const {
-  if (!any_size_) return false;
-  const auto [a, b, c] = mesh.corners(t);
-  const double longest =
-      std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
-  const double area = std::min(options_.max_area, mesh.entities()[mesh.region(t)].max_area);
-  return longest > options_.max_edge * options_.max_edge || signed_area(a, b, c) > area;
 }
 
 }  // namespace lepp

@@ -6,6 +6,7 @@
 
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/refine/refine.hpp"
+#include "lepp/refine/size_test.hpp"
 #include "lepp/triangulation/mesh.hpp"
 
 namespace lepp {
@@ -22,7 +23,7 @@ class TargetBuckets {
   /// Takes out the next one that is still there.
   std::optional<TriangleId> next(const Mesh& mesh);
 
-  bool is_too_large(const Mesh& mesh, TriangleId t) const;
+  bool is_too_large(TriangleId t) const { return size_.is_too_large(t); }
 
  private:
   static constexpr std::size_t angle_buckets = 4;
@@ -31,10 +32,9 @@ class TargetBuckets {
     std::array<VertexId, 3> vertices;
   };
 
-  const RefineOptions& options_;
   AngleTest angle_;
-  std::size_t first_ = 0;  // the buckets before it are empty
-  bool any_size_ = false;
+  SizeTest size_;
+  std::size_t first_ = 0;                         // the buckets before it are empty
   std::array<double, angle_buckets - 1> limits_;  // cos^2 of the smallest angle, worst first
   std::array<std::vector<Entry>, angle_buckets + 1> buckets_;
 };

@@ -66,7 +66,7 @@ bool UnifiedLoop::is_improvable(TriangleId t) const {
     return mesh_.origin_of(v).kind == VertexOrigin::Kind::interior;
   };
   if (std::ranges::all_of(mesh_.vertices(t), is_interior)) return true;
-  if (targets_.is_too_large(mesh_, t)) return true;
+  if (targets_.is_too_large(t)) return true;
   return !smallest_angle_between_constrained(mesh_, t) && !shortest_edge_is_seditious(mesh_, t) &&
          !at_input_feature(mesh_, t, 2 * floor_);
 }
@@ -80,7 +80,7 @@ void UnifiedLoop::improve(TriangleId t) {
 }
 
 bool UnifiedLoop::move_a_corner(TriangleId t) {
-  if (options_.effort == Effort::fast || targets_.is_too_large(mesh_, t)) return false;
+  if (options_.effort == Effort::fast || targets_.is_too_large(t)) return false;
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (good_star_.move_corner(t, i, changed_)) return true;
   }
@@ -97,7 +97,7 @@ void UnifiedLoop::insert_near(TriangleId t) {
   }
   if (!contains(mesh_, end.triangle, p)) return;
   const bool possible = cavity_.find(mesh_, end.triangle, p);
-  if (possible && good_star_.insert(cavity_, p, changed_)) return;
+  if (possible && options_.min_angle_deg > 0 && good_star_.insert(cavity_, p, changed_)) return;
   for (const auto& rim : cavity_.rim()) {
     if (rim.constrained && would_encroach(mesh_, rim.inside, p) && cut(rim.inside)) return;
   }

@@ -5,20 +5,8 @@
 
 namespace lepp {
 
-void Star::clear() {
-  link.clear();
-  points.clear();
-  constrained.clear();
-}
-
-void Star::add(const Mesh& mesh, HalfEdge outer) {
-  link.push_back(outer);
-  points.push_back(mesh.point(mesh.origin(outer)));
-  constrained.push_back(mesh.is_constrained(outer) ? 1 : 0);
-}
-
 bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star) {
-  star.clear();
+  star.link.clear();
   HalfEdge outer{t, corner};
   do {
     const HalfEdge spoke = next_edge(outer);  // arrives at the center
@@ -41,7 +29,7 @@ void move_vertex(Mesh& mesh, VertexId v, const Star& star, Point p,
   mesh.move_vertex(v, p);
   std::vector<HalfEdge> suspects;
   suspects.reserve(2 * star.size());
-  for (const HalfEdge outer : star.link) {
+  for (const auto& [outer, from, constrained] : star.link) {
     changed.push_back(outer.triangle);
     suspects.push_back(outer);
     suspects.push_back(next_edge(outer));  // one spoke of each triangle

@@ -9,16 +9,19 @@ namespace lepp {
 /// The triangles around a vertex that ends no constrained edge, or around a point that is to
 /// become one.
 struct Star {
-  /// Edge i of the link, counter-clockwise, seen from its triangle (opposite the center).
-  std::vector<HalfEdge> link;
-  std::vector<Point> points;      ///< points[i] is where link[i] starts
-  std::vector<char> constrained;  ///< 1 where link[i] is
+  struct LinkEdge {
+    HalfEdge edge;  ///< opposite the center, seen from its triangle
+    Point from;     ///< where it starts
+    bool constrained;
+  };
+  std::vector<LinkEdge> link;  ///< counter-clockwise
 
   std::size_t size() const { return link.size(); }
-  Point from(std::size_t i) const { return points[i]; }
-  Point to(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
-  void clear();
-  void add(const Mesh& mesh, HalfEdge outer);
+  Point from(std::size_t i) const { return link[i].from; }
+  Point to(std::size_t i) const { return link[i + 1 == link.size() ? 0 : i + 1].from; }
+  void add(const Mesh& mesh, HalfEdge outer) {
+    link.push_back({outer, mesh.point(mesh.origin(outer)), mesh.is_constrained(outer)});
+  }
 };
 
 /// Makes `star` the star of corner `corner` of `t`, from `t` on; it keeps its memory.
