@@ -24,7 +24,8 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
       budget_(budget),
       off_centre_(options.min_angle_deg),
       good_star_(mesh, options, floor_),
-      targets_(mesh, options) {}
+      targets_(mesh, options),
+      any_sharp_(segments_meet_sharply(mesh)) {}
 
 void UnifiedLoop::run() {
   next_seed_ = 0;
@@ -40,7 +41,7 @@ bool UnifiedLoop::take_turn() {
   changed_.clear();
   if (const auto e = encroached_ ? encroached_->next(mesh_) : std::nullopt) {
     // Features of the input below the size floor stay as they are: cutting only spreads them.
-    if (!at_input_feature(mesh_, e->triangle, 2 * floor_)) cut(*e);
+    if (!is_at_feature(e->triangle)) cut(*e);
   } else if (const auto t = targets_.next(mesh_)) {
     if (is_improvable(*t)) improve(*t);
   } else if (next_seed_ < seeds_) {
@@ -62,13 +63,27 @@ bool UnifiedLoop::may_go_on() {
 }
 
 bool UnifiedLoop::is_improvable(TriangleId t) const {
-  const auto is_interior = [&](VertexId v) {
-    return mesh_.origin_of(v).kind == VertexOrigin::Kind::interior;
+  const auto is_on_input = [&](VertexId v) {
+    return mesh_.origin_of(v).kind != VertexOrigin::Kind::interior;
   };
-  if (std::ranges::all_of(mesh_.vertices(t), is_interior)) return true;
+  if (std::ranges::count_if(mesh_.vertices(t), is_on_input) < 2) return true;
   if (targets_.is_too_large(t)) return true;
-  return !smallest_angle_between_constrained(mesh_, t) && !shortest_edge_is_seditious(mesh_, t) &&
-         !at_input_feature(mesh_, t, 2 * floor_);
+  return !smallest_angle_between_constrained(mesh_, t) && !is_seditious_there(t) &&
+         !is_at_feature(t);
+}
+
+bool UnifiedLoop::is_seditious_there(TriangleId t) const {
+  return any_sharp_ && shortest_edge_is_seditious(mesh_, t);
+}
+
+// The height on the longest edge is the least distance in a triangle.
+bool UnifiedLoop::is_at_feature(TriangleId t) const {
+  const auto [a, b, c] = mesh_.corners(t);
+  const double longest =
+      std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
+  const double twice_area = cross(b - a, c - a), limit = 2 * floor_;
+  if (twice_area * twice_area > 1.01 * limit * limit * longest) return false;
+  return at_input_feature(mesh_, t, limit);
 }
 
 void UnifiedLoop::improve(TriangleId t) {

@@ -34,6 +34,8 @@ class UnifiedLoop {
   bool may_go_on();
   bool take_turn();
   bool is_improvable(TriangleId t) const;
+  bool is_seditious_there(TriangleId t) const;
+  bool is_at_feature(TriangleId t) const;
   void improve(TriangleId t);
   bool move_a_corner(TriangleId t);
   void insert_near(TriangleId t);
@@ -47,6 +49,7 @@ class UnifiedLoop {
   OffCentre off_centre_;
   GoodStar good_star_;
   TargetBuckets targets_;
+  bool any_sharp_;  // without sharp vertices nothing is seditious
   std::optional<EncroachedEdges> encroached_;
   std::size_t next_seed_ = 0, seeds_ = 0;  // triangles of the start not yet looked at
   Cavity cavity_;

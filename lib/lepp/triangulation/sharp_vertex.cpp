@@ -1,6 +1,7 @@
 #include "lepp/triangulation/sharp_vertex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_set>
 
@@ -207,6 +208,30 @@ bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t) {
     }
   }
   return false;
+}
+
+bool segments_meet_sharply(const Mesh& mesh) {
+  // Pairs (vertex, other end) would need a sort; up to four other ends per vertex do not.
+  struct Ends {
+    std::array<VertexId, 4> other;
+    std::uint32_t count = 0;
+  };
+  std::vector<Ends> at(mesh.vertex_count());
+  const auto meets_sharply = [&](VertexId center, VertexId other) {
+    Ends& ends = at[center.index()];
+    if (ends.count == ends.other.size()) return true;
+    for (std::uint32_t i = 0; i < ends.count; ++i) {
+      if (ends.other[i] == other) continue;
+      if (is_below_60_deg(mesh.point(ends.other[i]), mesh.point(center), mesh.point(other))) {
+        return true;
+      }
+    }
+    ends.other[ends.count++] = other;
+    return false;
+  };
+  return std::ranges::any_of(mesh.segments(), [&](const Segment& s) {
+    return meets_sharply(s.a, s.b) || meets_sharply(s.b, s.a);
+  });
 }
 
 bool at_input_feature(const Mesh& mesh, TriangleId t, double floor) {

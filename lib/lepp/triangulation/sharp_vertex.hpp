@@ -40,6 +40,10 @@ bool smallest_angle_between_constrained(const Mesh& mesh, TriangleId t);
 /// picture at half the scale.
 bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t);
 
+/// True if two input segments may meet below 60 degrees somewhere; if not, no edge is seditious.
+/// Where many meet at a vertex it does not look closer. Cost O(segments)
+bool segments_meet_sharply(const Mesh& mesh);
+
 /// True if the input itself has two separate features closer than `floor` at `t`: a vertex of the
 /// input and another point of the input, or such a point and a segment, where no segment of one is
 /// or touches a segment of the other.

@@ -57,6 +57,9 @@ double fan_radius(const Mesh& mesh, const Fan& fan, double wanted) {
   return one_point ? shortest : shortest / 2;
 }
 
+// A Steiner point cuts a segment in two: its edges leave in opposite directions.
+bool can_be_sharp(const Mesh& mesh, VertexId v) { return mesh.is_input(v); }
+
 enum class Turn { clockwise, counter_clockwise };
 
 // The constrained edge that comes after constrained edge `e` around `center`, through the domain.
@@ -126,8 +129,9 @@ ConstrainedSplit split_at_distance(Mesh& mesh, HalfEdge e, VertexId from, double
 }
 
 ConstrainedSplit split_constrained_edge(Mesh& mesh, HalfEdge e, double floor) {
-  const Fan at_origin = fan_at(mesh, e, mesh.origin(e));
-  const Fan at_destination = fan_at(mesh, e, mesh.destination(e));
+  const VertexId a = mesh.origin(e), b = mesh.destination(e);
+  const Fan at_origin = can_be_sharp(mesh, a) ? fan_at(mesh, e, a) : Fan{a, {}};
+  const Fan at_destination = can_be_sharp(mesh, b) ? fan_at(mesh, e, b) : Fan{b, {}};
   if (at_origin.exists() == at_destination.exists()) return split_halfway(mesh, e, floor);
   return split_fan(mesh, e, at_origin.exists() ? at_origin : at_destination, floor);
 }
