@@ -1,8 +1,11 @@
 #include "lepp/refine/unified_loop.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/straight_walk.hpp"
+#include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
 #include "lepp/triangulation/split.hpp"
@@ -105,6 +108,7 @@ bool UnifiedLoop::move_a_corner(TriangleId t) {
 void UnifiedLoop::insert_near(TriangleId t) {
   const auto [a, b, c] = mesh_.corners(t);
   const Point p = in_supported_range(off_centre_(a, b, c));
+  if (options_.placement == Placement::best && insert_best_of(t, p)) return;
   const WayEnd end = straight_walk(mesh_, t, p);
   if (end.barrier) {
     cut(*end.barrier);
@@ -117,8 +121,58 @@ void UnifiedLoop::insert_near(TriangleId t) {
     if (rim.constrained && would_encroach(mesh_, rim.inside, p) && cut(rim.inside)) return;
   }
   if (!possible || is_too_close(p)) return;
+  fill(p);
+}
+
+void UnifiedLoop::fill(Point p) {
   cavity_.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
   changed_.insert(changed_.end(), cavity_.triangles().begin(), cavity_.triangles().end());
+}
+
+// Of the places between off-centre and circumcentre, and at the end of the LEPP, the first with a
+// good star, else the one whose worst triangle is best. False if all are barred or encroach.
+bool UnifiedLoop::insert_best_of(TriangleId t, Point off_centre) {
+  const auto [a, b, c] = mesh_.corners(t);
+  const Point center = circumcenter(a, b, c);
+  const HalfEdge terminal = terminal_edge(mesh_, t);
+  const Point candidates[] = {
+      off_centre, center, midpoint(off_centre, center),
+      midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)))};
+  std::optional<Point> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point candidate : candidates) {
+    const Point p = in_supported_range(candidate);
+    if (!find_cavity(t, p)) continue;
+    if (options_.min_angle_deg > 0 && good_star_.insert(cavity_, p, changed_)) return true;
+    const double badness = worst_of_star(p);
+    if (badness < least) {
+      least = badness;
+      best = p;
+    }
+  }
+  if (!best || !find_cavity(t, *best)) return false;
+  fill(*best);
+  return true;
+}
+
+bool UnifiedLoop::find_cavity(TriangleId t, Point p) {
+  const WayEnd end = straight_walk(mesh_, t, p);
+  return !end.barrier && contains(mesh_, end.triangle, p) && cavity_.find(mesh_, end.triangle, p) &&
+         !is_too_close(p);
+}
+
+// The badness of the worst triangle around p, infinite if a constrained edge is encroached.
+double UnifiedLoop::worst_of_star(Point p) const {
+  double worst = 0;
+  const auto rim = cavity_.rim();
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    if (rim[i].constrained && would_encroach(mesh_, rim[i].inside, p)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    worst = std::max(worst, AngleTest::badness(p, mesh_.point(rim[i].origin),
+                                               mesh_.point(cavity_.destination(i))));
+  }
+  return worst;
 }
 
 // Cuts a constrained edge; false if that is not possible.

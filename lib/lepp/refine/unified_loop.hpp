@@ -41,6 +41,10 @@ class UnifiedLoop {
   void insert_near(TriangleId t);
   bool cut(HalfEdge e);
   bool is_too_close(Point p) const;
+  void fill(Point p);
+  bool insert_best_of(TriangleId t, Point off_centre);
+  bool find_cavity(TriangleId t, Point p);
+  double worst_of_star(Point p) const;
 
   Mesh& mesh_;
   const RefineOptions& options_;
