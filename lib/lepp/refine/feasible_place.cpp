@@ -19,6 +19,7 @@ Point left_of(Point d) { return {-d.y, d.x}; }
 FeasiblePlace::FeasiblePlace(double min_angle_deg)
     : cos_(std::cos((min_angle_deg + surplus_deg) * std::numbers::pi / 180)),
       sin_(std::sin((min_angle_deg + surplus_deg) * std::numbers::pi / 180)),
+      squared_cos_of_twice_(std::pow(cos_ * cos_ - sin_ * sin_, 2)),
       most_edges_(static_cast<std::size_t>(std::min(360 / (min_angle_deg + surplus_deg), 40.0))) {}
 
 std::optional<Point> FeasiblePlace::find(const Star& star, Point near) {
@@ -56,12 +57,29 @@ bool FeasiblePlace::set_edges(const Star& star, Point near) {
     const Point a = star.from(i) - near, b = star.to(i) - near;
     edges_.push_back({a, b, squared_distance(a, b), star.link[i].constrained});
   }
+  if (any_corner_too_sharp()) return false;
   const auto by_length = [](const Edge& e, const Edge& f) {
     return e.squared_length < f.squared_length;
   };
   std::iter_swap(edges_.begin(), std::ranges::min_element(edges_, by_length));
   std::iter_swap(edges_.begin() + 1, std::max_element(edges_.begin() + 1, edges_.end(), by_length));
   return true;
+}
+
+//       a          two triangles share the corner at b, so that it must have twice the bound;
+//      /           e is ab, f is bc, the center lies on their left
+//     b ---- c
+bool FeasiblePlace::any_corner_too_sharp() const {
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge &e = edges_[i], &f = edges_[i + 1 == edges_.size() ? 0 : i + 1];
+    const Point to_a = e.a - e.b, to_c = f.b - f.a;
+    const double d = dot(to_a, to_c);
+    if (d > 0 && d * d > squared_cos_of_twice_ * (e.squared_length * f.squared_length) &&
+        cross(to_c, to_a) > 0) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool FeasiblePlace::cut_by_lines(const Edge& e) {

@@ -38,6 +38,7 @@ class FeasiblePlace {
 
   /// Puts the edges in the order that finds out soonest when nothing is left.
   bool set_edges(const Star& star, Point near);
+  bool any_corner_too_sharp() const;
   // Keeps the points with dot(normal, p) >= least; false if none is left.
   bool cut(Point normal, double least);
   bool cut_by_lines(const Edge& e);
@@ -46,6 +47,7 @@ class FeasiblePlace {
   std::optional<Point> centroid() const;
 
   double cos_, sin_;
+  double squared_cos_of_twice_;
   std::size_t most_edges_;
   std::vector<Edge> edges_;
   std::size_t corners_ = 0;  // of the polygon

@@ -1,5 +1,7 @@
 #include "lepp/refine/good_star.hpp"
 
+#include <algorithm>
+
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/flip.hpp"
@@ -38,6 +40,11 @@ bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<Trian
 bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed) {
   star_.link.clear();
   for (const auto& rim : cavity.rim()) star_.add(mesh_, rim.inside);
+  if (is_good(p) && !encroaches_link(p)) {
+    cavity.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
+    changed.insert(changed.end(), cavity.triangles().begin(), cavity.triangles().end());
+    return true;
+  }
   const auto place = place_.find(star_, p);
   if (!place) return false;
   const Point q = in_supported_range(*place);
@@ -88,6 +95,12 @@ bool GoodStar::is_good(Point p) const {
     if (size_.is_too_large(p, a, b, region)) return false;
   }
   return true;
+}
+
+bool GoodStar::encroaches_link(Point p) const {
+  return !encroaching_allowed_ && std::ranges::any_of(star_.link, [&](const Star::LinkEdge& e) {
+    return e.constrained && would_encroach(mesh_, e.edge, p);
+  });
 }
 
 // Flips will join p to what lies beyond the link, as far as circumcircles hold p.

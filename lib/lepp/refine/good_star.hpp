@@ -33,6 +33,7 @@ class GoodStar {
  private:
   bool is_interior_star(TriangleId t, std::uint32_t corner, Star& star) const;
   bool is_good(Point p) const;
+  bool encroaches_link(Point p) const;
   bool encroaches_beyond_link(Point p);
 
   Mesh& mesh_;

@@ -71,8 +71,13 @@ bool UnifiedLoop::is_improvable(TriangleId t) const {
   };
   if (std::ranges::count_if(mesh_.vertices(t), is_on_input) < 2) return true;
   if (targets_.is_too_large(t)) return true;
-  return !smallest_angle_between_constrained(mesh_, t) && !is_seditious_there(t) &&
-         !is_at_feature(t);
+  return !is_between_constrained(t) && !is_seditious_there(t) && !is_at_feature(t);
+}
+
+bool UnifiedLoop::is_between_constrained(TriangleId t) const {
+  int constrained = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) constrained += mesh_.is_constrained({t, i}) ? 1 : 0;
+  return constrained >= 2 && smallest_angle_between_constrained(mesh_, t);
 }
 
 bool UnifiedLoop::is_seditious_there(TriangleId t) const {

@@ -34,6 +34,7 @@ class UnifiedLoop {
   bool may_go_on();
   bool take_turn();
   bool is_improvable(TriangleId t) const;
+  bool is_between_constrained(TriangleId t) const;
   bool is_seditious_there(TriangleId t) const;
   bool is_at_feature(TriangleId t) const;
   void improve(TriangleId t);
