@@ -109,31 +109,6 @@ TriangleId Mesh::add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId regi
   return t;
 }
 
-void Mesh::set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c) {
-  triangles_[t.index()].vertices = {a, b, c};
-  refresh_leaving(t);
-}
-
-void Mesh::refresh_leaving(TriangleId t) {
-  for (std::uint32_t corner = 0; corner < 3; ++corner) {
-    const VertexId v = vertex(t, corner);
-    const std::uint32_t e = leaving_[v.index()];
-    if (e == nothing || origin(half_edge(e)) != v) {
-      leaving_[v.index()] = code({t, previous_corner(corner)});
-    }
-  }
-}
-
-void Mesh::unlink(HalfEdge e) {
-  triangles_[e.triangle.index()].across_[e.edge] = nothing;
-  leaving_[origin(e).index()] = code(e);
-}
-
-void Mesh::link(HalfEdge e, HalfEdge f) {
-  triangles_[e.triangle.index()].across_[e.edge] = code(f);
-  triangles_[f.triangle.index()].across_[f.edge] = code(e);
-}
-
 void Mesh::take_place_of(HalfEdge e, HalfEdge old) {
   const Triangle& from = triangles_[old.triangle.index()];
   const std::uint32_t across = from.across_[old.edge];
@@ -188,12 +163,6 @@ void Mesh::move_record(VertexId end, VertexId from, VertexId to) {
   ConstrainedEdge moved = *record;
   if ((end < from) != (end < to)) std::swap(moved.t_low, moved.t_high);
   set_record(end, to, moved);
-}
-
-void Mesh::set_constrained_flag(HalfEdge e, bool constrained) {
-  std::uint32_t& flags = triangles_[e.triangle.index()].constrained_;
-  const std::uint32_t bit = 1U << e.edge;
-  flags = constrained ? flags | bit : flags & ~bit;
 }
 
 void Mesh::constrain(HalfEdge e, const ConstrainedEdge& record) {

@@ -208,6 +208,39 @@ class Mesh {
   std::int64_t base_ = 0;
 };
 
+// The innermost steps of every local operation.
+
+inline void Mesh::set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c) {
+  triangles_[t.index()].vertices = {a, b, c};
+  refresh_leaving(t);
+}
+
+inline void Mesh::refresh_leaving(TriangleId t) {
+  for (std::uint32_t corner = 0; corner < 3; ++corner) {
+    const VertexId v = vertex(t, corner);
+    const std::uint32_t e = leaving_[v.index()];
+    if (e == nothing || origin(half_edge(e)) != v) {
+      leaving_[v.index()] = code({t, previous_corner(corner)});
+    }
+  }
+}
+
+inline void Mesh::unlink(HalfEdge e) {
+  triangles_[e.triangle.index()].across_[e.edge] = nothing;
+  leaving_[origin(e).index()] = code(e);
+}
+
+inline void Mesh::link(HalfEdge e, HalfEdge f) {
+  triangles_[e.triangle.index()].across_[e.edge] = code(f);
+  triangles_[f.triangle.index()].across_[f.edge] = code(e);
+}
+
+inline void Mesh::set_constrained_flag(HalfEdge e, bool constrained) {
+  std::uint32_t& flags = triangles_[e.triangle.index()].constrained_;
+  const std::uint32_t bit = 1U << e.edge;
+  flags = constrained ? flags | bit : flags & ~bit;
+}
+
 /// Calls visit(TriangleId, corner) for each triangle of the fan of leaving(v), once each, turning
 /// counter-clockwise from the boundary if the fan is open, else from leaving(v).
 /// visit may return void, or bool: false stops the walk.
