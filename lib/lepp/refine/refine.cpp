@@ -7,6 +7,7 @@
 #include "lepp/geometry/text.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/clean_up.hpp"
+#include "lepp/refine/clear_around.hpp"
 #include "lepp/refine/terminal_loop.hpp"
 #include "lepp/refine/unified_loop.hpp"
 #include "lepp/triangulation/encroached.hpp"
@@ -193,18 +194,66 @@ RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
 
 namespace {
 
-// The clean-up leaves nothing for the loop to do, but for sizes that flips have changed.
-RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
-  const std::size_t before = mesh.vertex_count();
-  UnifiedLoop loop(mesh, options, vertex_budget(mesh, options));
-  loop.run();
-  if (options.effort != Effort::fast && options.min_angle_deg > 0 && !loop.stopped()) {
-    CleanUp(mesh, options, default_size_floor(mesh)).run();
-    loop.run();
+std::vector<TriangleId> stuck_triangles(const RefineReport& report) {
+  std::vector<TriangleId> stuck;
+  for (const Unfinished& u : report.unfinished) {
+    if (u.reason == Reason::size_floor) stuck.push_back(u.triangle);
   }
-  RefineReport report = judge(mesh, options, loop.stopped().value_or(Reason::size_floor));
+  return stuck;
+}
+
+// At bounds near 40 degrees the loop now and then runs into the size floor in a corner of the
+// boundary. There it begins anew, with more and more around it cleared, by turns with the best of
+// several places and with off-centres.
+RefineReport run_loop(Mesh& mesh, const RefineOptions& options, std::size_t budget) {
+  constexpr std::size_t most_restarts = 4, most_stuck = 1000;
+  RefineOptions turn = options;
+  RefineReport report;
+  for (std::size_t restart = 0;; ++restart) {
+    UnifiedLoop loop(mesh, turn, budget);
+    loop.run();
+    report = judge(mesh, options, loop.stopped().value_or(Reason::size_floor));
+    const auto stuck = stuck_triangles(report);
+    if (options.effort == Effort::fast || stuck.empty() || stuck.size() > most_stuck ||
+        restart == most_restarts) {
+      return report;
+    }
+    if (clear_around(mesh, stuck, std::size_t{100} << restart) == 0) return report;
+    turn.placement = restart % 2 == 0 ? Placement::best : options.placement;
+  }
+}
+
+// The clean-up leaves nothing for the loop to do, but for sizes that flips have changed.
+RefineReport refine_once(Mesh& mesh, const RefineOptions& options) {
+  const std::size_t before = mesh.vertex_count();
+  const std::size_t budget = vertex_budget(mesh, options);
+  RefineReport report = run_loop(mesh, options, budget);
+  const bool stopped = std::ranges::any_of(report.unfinished, [](const Unfinished& u) {
+    return u.reason == Reason::budget || u.reason == Reason::cancelled;
+  });
+  if (options.effort != Effort::fast && options.min_angle_deg > 0 && !stopped) {
+    CleanUp(mesh, options, default_size_floor(mesh)).run();
+    report = run_loop(mesh, options, budget);
+  }
   report.steiner_points = mesh.vertex_count() - before;
   return report;
+}
+
+// The best of several places takes more vertices, but gets past corners where off-centres do not.
+RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
+  if (options.effort != Effort::best || options.placement == Placement::best) {
+    return refine_once(mesh, options);
+  }
+  Mesh other = mesh;
+  const RefineReport first = refine_once(mesh, options);
+  const std::size_t stuck = stuck_triangles(first).size();
+  if (stuck == 0) return first;
+  RefineOptions best = options;
+  best.placement = Placement::best;
+  const RefineReport second = refine_once(other, best);
+  if (!second.goal_reached && second.unfinished.size() >= first.unfinished.size()) return first;
+  mesh = std::move(other);
+  return second;
 }
 
 }  // namespace
