@@ -79,9 +79,10 @@ QualityIndicator smallest_angle_indicator(double bound_deg);
 /// target, Delaunay insertions at the end of its LEPP until it is gone or q(t) >= epsilon; new
 /// triangles below epsilon become targets too. Bad triangles that are no target, and do not
 /// change, are left alone. `options` means what it means to refine(), but for min_angle_deg, whose
-/// place `quality` takes.
-/// \pre     `mesh` satisfies M1 to M6; every id in `targets` is one of its triangles
-/// \return  as refine(); `unfinished` leaves out triangles that were bad, no target, and unchanged
+/// place `quality` takes; only Placement::centroid (for the others, too) and midpoint apply, and
+/// only insertions happen, whatever the effort. \pre     `mesh` satisfies M1 to M6; every id in
+/// `targets` is one of its triangles \return  as refine(); `unfinished` leaves out triangles that
+/// were bad, no target, and unchanged
 RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                      const QualityIndicator& quality, const RefineOptions& options = {});
 
