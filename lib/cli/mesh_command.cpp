@@ -97,6 +97,9 @@ void add_quality_options(CLI::App& app, MeshCommand& command) {
   app.add_option("--min-angle", refine.min_angle_deg, "smallest angle wanted, 0 to 45 degrees")
       ->check(number_from(0, 45))
       ->capture_default_str();
+  app.add_option("--max-angle", refine.max_angle_deg,
+                 "largest angle of any triangle, 90 to 180 degrees; 90: no obtuse triangle at all")
+      ->check(number_from(90, 180));
   app.add_option("--max-edge", refine.max_edge, "longest edge wanted")->check(above_zero());
   app.add_option("--max-area", refine.max_area, "largest triangle wanted")->check(above_zero());
   app.add_option("--max-vertices", refine.max_vertices,

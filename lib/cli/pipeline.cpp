@@ -55,7 +55,10 @@ class Pipeline {
   }
 
  private:
-  bool asks_for_angles() const { return options_.refine.min_angle_deg > 0 || options_.nonobtuse; }
+  bool asks_for_angles() const {
+    return options_.refine.min_angle_deg > 0 || options_.nonobtuse ||
+           options_.refine.max_angle_deg < 180;
+  }
   bool asks_for_refinement() const {
     const auto has_limit = [](const SurfaceEntity& s) { return std::isfinite(s.max_area); };
     return asks_for_angles() || std::isfinite(options_.refine.max_edge) ||
@@ -153,6 +156,7 @@ class Pipeline {
   void check() {
     MeshClaims claims;
     if (options_.refine.min_angle_deg > 0) claims.min_angle_deg = options_.refine.min_angle_deg;
+    if (options_.refine.max_angle_deg < 180) claims.max_angle_deg = options_.refine.max_angle_deg;
     claims.nonobtuse = options_.nonobtuse;
     claims.unfinished = refined_.unfinished;
     const MeshReport checked = validate(mesh_, claims);

@@ -30,7 +30,7 @@ Corner corner_of(const Mesh& mesh, VertexId v) {
 CleanUp::CleanUp(Mesh& mesh, const RefineOptions& options, double floor)
     : mesh_(mesh),
       options_(options),
-      angle_(options.min_angle_deg),
+      angle_(options.min_angle_deg, options.max_angle_deg),
       size_(mesh, options),
       good_star_(mesh, options, floor) {}
 
@@ -93,7 +93,7 @@ bool CleanUp::is_good_fan(std::span<const Point> polygon, std::size_t from,
   const auto at = [&](std::size_t i) { return polygon[(from + i) % n]; };
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const Point a = at(0), b = at(i), c = at(i + 1);
-    if (orient2d(a, b, c) <= 0 || angle_.is_below(a, b, c)) return false;
+    if (orient2d(a, b, c) <= 0 || angle_.is_bad(a, b, c)) return false;
     if (size_.is_too_large(a, b, c, region)) return false;
   }
   return true;

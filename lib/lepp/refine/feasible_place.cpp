@@ -16,10 +16,14 @@ Point left_of(Point d) { return {-d.y, d.x}; }
 
 }  // namespace
 
-FeasiblePlace::FeasiblePlace(double min_angle_deg)
+FeasiblePlace::FeasiblePlace(double min_angle_deg, double max_angle_deg)
     : cos_(std::cos((min_angle_deg + surplus_deg) * std::numbers::pi / 180)),
       sin_(std::sin((min_angle_deg + surplus_deg) * std::numbers::pi / 180)),
       squared_cos_of_twice_(std::pow(cos_ * cos_ - sin_ * sin_, 2)),
+      has_largest_(max_angle_deg < 180),
+      no_obtuse_(max_angle_deg <= 90),
+      cos_largest_(std::cos((max_angle_deg - surplus_deg) * std::numbers::pi / 180)),
+      sin_largest_(std::sin((max_angle_deg - surplus_deg) * std::numbers::pi / 180)),
       most_edges_(static_cast<std::size_t>(std::min(360 / (min_angle_deg + surplus_deg), 40.0))) {}
 
 std::optional<Point> FeasiblePlace::find(const Star& star, Point near) {
@@ -57,7 +61,7 @@ bool FeasiblePlace::set_edges(const Star& star, Point near) {
     const Point a = star.from(i) - near, b = star.to(i) - near;
     edges_.push_back({a, b, squared_distance(a, b), star.link[i].constrained});
   }
-  if (any_corner_too_sharp()) return false;
+  if (any_corner_impossible()) return false;
   const auto by_length = [](const Edge& e, const Edge& f) {
     return e.squared_length < f.squared_length;
   };
@@ -66,14 +70,16 @@ bool FeasiblePlace::set_edges(const Star& star, Point near) {
   return true;
 }
 
-//       a          two triangles share the corner at b, so that it must have twice the bound;
+//       a          two triangles share the corner at b, so that it must have twice the bound,
+//                  and, where no angle may be obtuse, at most 180 degrees;
 //      /           e is ab, f is bc, the center lies on their left
 //     b ---- c
-bool FeasiblePlace::any_corner_too_sharp() const {
+bool FeasiblePlace::any_corner_impossible() const {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Edge &e = edges_[i], &f = edges_[i + 1 == edges_.size() ? 0 : i + 1];
     const Point to_a = e.a - e.b, to_c = f.b - f.a;
     const double d = dot(to_a, to_c);
+    if (no_obtuse_ && cross(to_c, to_a) < 0) return true;
     if (d > 0 && d * d > squared_cos_of_twice_ * (e.squared_length * f.squared_length) &&
         cross(to_c, to_a) > 0) {
       return true;
@@ -85,7 +91,11 @@ bool FeasiblePlace::any_corner_too_sharp() const {
 bool FeasiblePlace::cut_by_lines(const Edge& e) {
   const Point d = e.b - e.a, n = left_of(d);
   const Point from_a = cos_ * n - sin_ * d, from_b = cos_ * n + sin_ * d;
-  return cut(from_a, dot(from_a, e.a)) && cut(from_b, dot(from_b, e.b));
+  if (!cut(from_a, dot(from_a, e.a)) || !cut(from_b, dot(from_b, e.b))) return false;
+  if (!has_largest_) return true;
+  const Point up_to_a = sin_largest_ * d - cos_largest_ * n,
+              up_to_b = -sin_largest_ * d - cos_largest_ * n;
+  return cut(up_to_a, dot(up_to_a, e.a)) && cut(up_to_b, dot(up_to_b, e.b));
 }
 
 bool FeasiblePlace::cut_by_circles(const Edge& e, Point p, bool& good) {
@@ -99,13 +109,19 @@ bool FeasiblePlace::cut_by_circles(const Edge& e, Point p, bool& good) {
     const Point normal = (1 / std::sqrt(off)) * (center - p);
     if (!cut(normal, dot(normal, center) - std::sqrt(squared_radius))) return false;
   }
-  if (e.constrained && squared_distance(middle, p) < quarter) {
-    good = false;
-    const Point away = dot(p - middle, n) > 0 ? p - middle : n;
-    const Point normal = (1 / std::sqrt(dot(away, away))) * away;
-    if (!cut(normal, dot(normal, middle) + std::sqrt(quarter))) return false;
-  }
-  return true;
+  if (e.constrained) return keep_out(middle, quarter, n, p, good);
+  if (!has_largest_) return true;
+  return keep_out(middle + (0.5 * cos_largest_ / sin_largest_) * n,
+                  quarter / (sin_largest_ * sin_largest_), n, p, good);
+}
+
+// Where p is inside a circle, whatever lies behind the tangent nearest to it goes.
+bool FeasiblePlace::keep_out(Point center, double squared_radius, Point n, Point p, bool& good) {
+  if (squared_distance(center, p) >= squared_radius) return true;
+  good = false;
+  const Point away = dot(p - center, n) > 0 ? p - center : n;
+  const Point normal = (1 / std::sqrt(dot(away, away))) * away;
+  return cut(normal, dot(normal, center) + std::sqrt(squared_radius));
 }
 
 bool FeasiblePlace::cut(Point normal, double least) {

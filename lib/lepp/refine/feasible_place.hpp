@@ -18,11 +18,13 @@ namespace lepp {
 ///         \/   \   /            A constrained ab asks for more: p outside its diametral circle.
 ///     ----a-----b----
 ///
-/// But for the last, this is convex. A polygon is cut down by the half-planes, then by tangents of
+/// A bound on the largest angle asks the same from the other sides: two more half-planes, which at
+/// 90 degrees are a strip, and p outside a circle through a and b. But for such circles, this is
+/// convex. A polygon is cut down by the half-planes, then by tangents of
 /// the circles that its centroid violates, until the centroid is good or nothing is left.
 class FeasiblePlace {
  public:
-  explicit FeasiblePlace(double min_angle_deg);
+  explicit FeasiblePlace(double min_angle_deg, double max_angle_deg = 180);
 
   /// \param near  a point near the star, or in it: differences from it are what is rounded
   /// \return a place well inside the feasible region, or nothing if there is none (or it is tiny)
@@ -38,16 +40,19 @@ class FeasiblePlace {
 
   /// Puts the edges in the order that finds out soonest when nothing is left.
   bool set_edges(const Star& star, Point near);
-  bool any_corner_too_sharp() const;
+  bool any_corner_impossible() const;
   // Keeps the points with dot(normal, p) >= least; false if none is left.
   bool cut(Point normal, double least);
   bool cut_by_lines(const Edge& e);
   // Cuts off `p` where a circle forbids it. False if nothing is left.
   bool cut_by_circles(const Edge& e, Point p, bool& good);
+  bool keep_out(Point center, double squared_radius, Point n, Point p, bool& good);
   std::optional<Point> centroid() const;
 
   double cos_, sin_;
   double squared_cos_of_twice_;
+  bool has_largest_, no_obtuse_;
+  double cos_largest_, sin_largest_;
   std::size_t most_edges_;
   std::vector<Edge> edges_;
   std::size_t corners_ = 0;  // of the polygon

@@ -20,9 +20,9 @@ GoodStar::GoodStar(Mesh& mesh, const RefineOptions& options, double floor)
     : mesh_(mesh),
       floor_(floor),
       encroaching_allowed_(options.obtuse == ObtuseRule::ignore),
-      angle_(options.min_angle_deg),
+      angle_(options.min_angle_deg, options.max_angle_deg),
       size_(mesh, options),
-      place_(options.min_angle_deg) {}
+      place_(options.min_angle_deg, options.max_angle_deg) {}
 
 bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<TriangleId>& changed) {
   const VertexId v = mesh_.vertex(t, corner);
@@ -91,7 +91,7 @@ bool GoodStar::is_good(Point p) const {
   const SurfaceId region = mesh_.region(star_.link.front().edge.triangle);
   for (std::size_t i = 0; i < star_.size(); ++i) {
     const Point a = star_.from(i), b = star_.to(i);
-    if (angle_.is_below(p, a, b) || squared_distance(a, p) < floor_ * floor_) return false;
+    if (angle_.is_bad(p, a, b) || squared_distance(a, p) < floor_ * floor_) return false;
     if (size_.is_too_large(p, a, b, region)) return false;
   }
   return true;

@@ -6,6 +6,7 @@
 
 #include "lepp/geometry/text.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/refine/angle_test.hpp"
 #include "lepp/refine/clean_up.hpp"
 #include "lepp/refine/clear_around.hpp"
 #include "lepp/refine/terminal_loop.hpp"
@@ -25,6 +26,9 @@ void check(const RefineOptions& options) {
   };
   if (!(options.min_angle_deg >= 0 && options.min_angle_deg <= 45)) {
     refuse("minimum angle", options.min_angle_deg, "an angle from 0 to 45 degrees");
+  }
+  if (!(options.max_angle_deg >= 90 && options.max_angle_deg <= 180)) {
+    refuse("maximum angle", options.max_angle_deg, "an angle from 90 to 180 degrees");
   }
   if (!(options.max_edge > 0)) refuse("maximum edge", options.max_edge, "a length above 0");
   if (!(options.max_area > 0)) refuse("maximum area", options.max_area, "an area above 0");
@@ -63,7 +67,15 @@ std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
 class Bounds {
  public:
   Bounds(const Mesh& mesh, const RefineOptions& options, const QualityIndicator& quality)
-      : options_(options), quality_(quality), floor_(default_size_floor(mesh)) {}
+      : options_(options),
+        quality_(quality),
+        floor_(default_size_floor(mesh)),
+        angle_(0, options.max_angle_deg) {}
+
+  bool has_large_angle(const Mesh& mesh, TriangleId t) const {
+    const auto [a, b, c] = mesh.corners(t);
+    return angle_.is_above(a, b, c);
+  }
 
   bool poor(const Mesh& mesh, TriangleId t) const { return quality_.q(mesh, t) < quality_.epsilon; }
 
@@ -96,6 +108,7 @@ class Bounds {
   const RefineOptions& options_;
   const QualityIndicator& quality_;
   double floor_;
+  AngleTest angle_;
 };
 
 bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
@@ -135,11 +148,12 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
     const TriangleId t(i);
     if (untouched(mesh, t)) continue;
     const bool too_large = bounds.excess(mesh, t) > 1;
-    const bool obtuse_left = obtuse == ObtuseRule::split_first && faces_obtuse_constrained(mesh, t);
-    if (!too_large && !obtuse_left && !bounds.poor(mesh, t)) continue;
+    const bool angle_left = bounds.has_large_angle(mesh, t) || (obtuse == ObtuseRule::split_first &&
+                                                                faces_obtuse_constrained(mesh, t));
+    if (!too_large && !angle_left && !bounds.poor(mesh, t)) continue;
     if (!input) input.emplace(mesh);
     Reason reason = otherwise;
-    if (obtuse_left) {  // no input angle forces an obtuse one: cutting the edge removes it
+    if (angle_left) {  // no input angle forces a large one: cutting the edge across removes it
       if (!too_large && input->by_feature(t)) reason = Reason::input_feature;
     } else if (!too_large) {
       reason = input->of(t).value_or(otherwise);
@@ -152,6 +166,13 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
 
 bool is_off_centre(Placement placement) {
   return placement == Placement::offcentre || placement == Placement::best;
+}
+
+// Ends of LEPPs answer small angles only.
+void refuse_largest_angle(const RefineOptions& options) {
+  if (options.max_angle_deg >= 180) return;
+  throw InputError("maximum angle", "needs off-centres, which this kind of refinement does not use",
+                   "ask refine() with Placement::offcentre or best, or leave the bound away");
 }
 
 std::vector<TriangleId> all_triangles(const Mesh& mesh) {
@@ -177,6 +198,7 @@ QualityIndicator smallest_angle_indicator(double bound_deg) {
 RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                      const QualityIndicator& quality, const RefineOptions& options) {
   check(options);
+  refuse_largest_angle(options);
   const Bounds bounds(mesh, options, quality);
   const Untouched untouched(mesh, targets);
   RefineOptions terminal = options;

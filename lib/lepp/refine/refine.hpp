@@ -29,6 +29,8 @@ enum class Effort {
 
 struct RefineOptions {
   double min_angle_deg = 30;  ///< 0 to 45; 0 asks for nothing, above 36 is not promised
+  /// Largest angle of any triangle, 90 to 180; 180 asks for nothing, below 100 is not promised.
+  double max_angle_deg = 180;
   double max_edge = std::numeric_limits<double>::infinity();  ///< longest edge wanted, > 0
   double max_area = std::numeric_limits<double>::infinity();  ///< largest triangle wanted, > 0
   Placement placement = Placement::offcentre;
@@ -79,10 +81,9 @@ QualityIndicator smallest_angle_indicator(double bound_deg);
 /// target, Delaunay insertions at the end of its LEPP until it is gone or q(t) >= epsilon; new
 /// triangles below epsilon become targets too. Bad triangles that are no target, and do not
 /// change, are left alone. `options` means what it means to refine(), but for min_angle_deg, whose
-/// place `quality` takes; only Placement::centroid (for the others, too) and midpoint apply, and
-/// only insertions happen, whatever the effort. \pre     `mesh` satisfies M1 to M6; every id in
-/// `targets` is one of its triangles \return  as refine(); `unfinished` leaves out triangles that
-/// were bad, no target, and unchanged
+/// place `quality` takes.
+/// \pre     `mesh` satisfies M1 to M6; every id in `targets` is one of its triangles
+/// \return  as refine(); `unfinished` leaves out triangles that were bad, no target, and unchanged
 RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                      const QualityIndicator& quality, const RefineOptions& options = {});
 

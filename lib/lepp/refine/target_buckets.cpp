@@ -6,7 +6,7 @@
 namespace lepp {
 
 TargetBuckets::TargetBuckets(const Mesh& mesh, const RefineOptions& options)
-    : angle_(options.min_angle_deg), size_(mesh, options) {
+    : angle_(options.min_angle_deg, options.max_angle_deg), size_(mesh, options) {
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     const double part = static_cast<double>(i + 1) / static_cast<double>(angle_buckets);
     limits_[i] = AngleTest::squared_cos(part * options.min_angle_deg);
@@ -24,6 +24,9 @@ void TargetBuckets::add(const Mesh& mesh, TriangleId t) {
     for (const double limit : limits_) bucket += badness < limit;
     buckets_[bucket].push_back({t, mesh.vertices(t)});
     first_ = std::min(first_, bucket);
+  } else if (angle_.is_above(a, b, c)) {
+    buckets_.back().push_back({t, mesh.vertices(t)});
+    first_ = std::min(first_, buckets_.size() - 1);
   }
 }
 

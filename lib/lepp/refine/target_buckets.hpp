@@ -11,7 +11,8 @@
 
 namespace lepp {
 
-/// The triangles still to be worked on, in a few buckets: too large, then by smallest angle. Worst
+/// The triangles still to be worked on, in a few buckets: too large, then by smallest angle, then
+/// those whose only fault is too large an angle. Worst
 /// bucket first, last in first out inside it, so the next target mostly lies beside the last
 /// change. Entries are dropped when their triangle has changed by the time they come up.
 class TargetBuckets {
@@ -24,6 +25,10 @@ class TargetBuckets {
   std::optional<TriangleId> next(const Mesh& mesh);
 
   bool is_too_large(TriangleId t) const { return size_.is_too_large(t); }
+  bool has_small_angle(const Mesh& mesh, TriangleId t) const {
+    const auto [a, b, c] = mesh.corners(t);
+    return angle_.is_below(a, b, c);
+  }
 
  private:
   static constexpr std::size_t angle_buckets = 4;
@@ -36,7 +41,7 @@ class TargetBuckets {
   SizeTest size_;
   std::size_t first_ = 0;                         // the buckets before it are empty
   std::array<double, angle_buckets - 1> limits_;  // cos^2 of the smallest angle, worst first
-  std::array<std::vector<Entry>, angle_buckets + 1> buckets_;
+  std::array<std::vector<Entry>, angle_buckets + 2> buckets_;
 };
 
 }  // namespace lepp

@@ -25,6 +25,7 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
       options_(options),
       floor_(default_size_floor(mesh)),
       budget_(budget),
+      angle_(options.min_angle_deg, options.max_angle_deg),
       off_centre_(options.min_angle_deg),
       good_star_(mesh, options, floor_),
       targets_(mesh, options),
@@ -113,7 +114,8 @@ bool UnifiedLoop::move_a_corner(TriangleId t) {
 void UnifiedLoop::insert_near(TriangleId t) {
   const auto [a, b, c] = mesh_.corners(t);
   const Point p = in_supported_range(off_centre_(a, b, c));
-  if (options_.placement == Placement::best && insert_best_of(t, p)) return;
+  const bool only_obtuse = !targets_.is_too_large(t) && !targets_.has_small_angle(mesh_, t);
+  if ((only_obtuse || options_.placement == Placement::best) && insert_best_of(t, p)) return;
   const WayEnd end = straight_walk(mesh_, t, p);
   if (end.barrier) {
     cut(*end.barrier);
@@ -166,7 +168,7 @@ bool UnifiedLoop::find_cavity(TriangleId t, Point p) {
          !is_too_close(p);
 }
 
-// The badness of the worst triangle around p, infinite if a constrained edge is encroached.
+// How bad the worst triangle around p would be, infinite if a constrained edge is encroached.
 double UnifiedLoop::worst_of_star(Point p) const {
   double worst = 0;
   const auto rim = cavity_.rim();
@@ -174,8 +176,8 @@ double UnifiedLoop::worst_of_star(Point p) const {
     if (rim[i].constrained && would_encroach(mesh_, rim[i].inside, p)) {
       return std::numeric_limits<double>::infinity();
     }
-    worst = std::max(worst, AngleTest::badness(p, mesh_.point(rim[i].origin),
-                                               mesh_.point(cavity_.destination(i))));
+    worst = std::max(worst, angle_.violation(p, mesh_.point(rim[i].origin),
+                                             mesh_.point(cavity_.destination(i))));
   }
   return worst;
 }

@@ -51,6 +51,7 @@ class UnifiedLoop {
   const RefineOptions& options_;
   double floor_;
   std::size_t budget_;
+  AngleTest angle_;
   OffCentre off_centre_;
   GoodStar good_star_;
   TargetBuckets targets_;
