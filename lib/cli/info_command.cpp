@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "describe_meetings.hpp"
 #include "inputs.hpp"
+#include "interrupt.hpp"
 #include "lepp/geometry/text.hpp"
 #include "outputs.hpp"
 
@@ -62,6 +63,7 @@ Json describe(const Input& input) {
   info["groups"] = groups_of(entities);
   Json broken = Json::array();
   if (!input.triangles) {
+    const EndsAtOnce nothing_to_lose;
     const PslgFindings findings = examine(pslg);
     for (const PslgViolation& v : findings.violations)
       broken.push_back({{"rule", v.rule}, {"where", v.where}});

@@ -5,14 +5,23 @@
 #include <csignal>
 #include <cstdio>
 
+#include "commands.hpp"
+
 namespace lepp::cli {
 
 namespace {
 
-volatile std::sig_atomic_t stop_asked = 0;  // the one thing a signal handler may touch
+// What a signal handler may touch.
+volatile std::sig_atomic_t stop_asked = 0;
+volatile std::sig_atomic_t nothing_to_lose = 0;
 
-// The first signal asks; a second one ends the process at once.
+// The first signal asks, unless nobody would hear it; a second one ends the process at once.
 extern "C" void ask_to_stop(int signal) {
+  if (nothing_to_lose != 0) {
+    constexpr char message[] = "lepp: cancelled; nothing was written\n";
+    [[maybe_unused]] const auto written = ::write(2, message, sizeof message - 1);
+    ::_exit(refused);
+  }
   stop_asked = 1;
   std::signal(signal, SIG_DFL);
 }
@@ -28,6 +37,13 @@ void catch_signals() {
 }
 
 bool interrupted() { return stop_asked != 0; }
+
+EndsAtOnce::EndsAtOnce() {
+  nothing_to_lose = 1;
+  if (interrupted()) ask_to_stop(SIGINT);  // it came before, and was not heard yet
+}
+
+EndsAtOnce::~EndsAtOnce() { nothing_to_lose = 0; }
 
 Progress::Progress()
     : start_(std::chrono::steady_clock::now()), shown_(start_), terminal_(isatty(2) != 0) {}

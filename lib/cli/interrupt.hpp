@@ -12,6 +12,16 @@ void catch_signals();
 /// True once the user asked to stop.
 bool interrupted();
 
+/// While one of these lives, Ctrl-C or SIGTERM ends the process at once, with status 4: for work
+/// that cannot be told to stop, with no file open and no child running.
+class EndsAtOnce {
+ public:
+  EndsAtOnce();
+  ~EndsAtOnce();
+  EndsAtOnce(const EndsAtOnce&) = delete;
+  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+};
+
 /// Shows the number of vertices on a terminal, for work that takes longer than a second, and
 /// wipes it when done.
 class Progress {

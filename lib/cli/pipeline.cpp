@@ -68,6 +68,7 @@ class Pipeline {
   bool is_improvement() const { return input_.triangles && !options_.remesh; }
 
   void triangulate() {
+    const EndsAtOnce nothing_to_lose;
     Triangulation made;
     if (is_improvement()) {
       report_.seconds.triangulate = timed([&] {

@@ -151,17 +151,19 @@ std::vector<OffendingEdge> offending_edges(const Mesh& mesh, const Certificate& 
 std::vector<GroupFigures> group_figures(const Mesh& mesh) {
   const Entities& entities = mesh.entities();
   const std::vector<double> measures = measure_groups(mesh);
+  std::vector<std::size_t> members(entities.groups.size());
+  const auto count = [&](const auto& list) {
+    for (const auto& entity : list) {
+      for (const GroupId group : entity.groups) ++members[group.index()];
+    }
+  };
+  count(entities.points);
+  count(entities.curves);
+  count(entities.surfaces);
   std::vector<GroupFigures> figures;
   for (std::size_t i = 0; i < entities.groups.size(); ++i) {
     const PhysicalGroup& group = entities.groups[i];
-    const auto members = [&](const auto& list) {
-      return static_cast<std::size_t>(std::ranges::count_if(list, [&](const auto& entity) {
-        return std::ranges::find(entity.groups, GroupId(i)) != entity.groups.end();
-      }));
-    };
-    const std::size_t count =
-        members(entities.points) + members(entities.curves) + members(entities.surfaces);
-    figures.push_back({group.name, group.dimension, group.tag, count, measures[i]});
+    figures.push_back({group.name, group.dimension, group.tag, members[i], measures[i]});
   }
   return figures;
 }

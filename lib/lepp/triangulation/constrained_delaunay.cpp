@@ -145,6 +145,9 @@ Triangulation constrained_delaunay(const Pslg& pslg, const TriangulationOptions&
   note_zero_length(pslg, vertex_of, report);
   SegmentPieces pieces = insert_segments(raw, pslg, vertex_of, report);
   Regions regions = find_regions(raw, pslg, pieces, report, threads);
+  if (report.convex_hull && !pslg.segments.empty()) {
+    report.warnings.push_back("the segments close off no area: the domain is the convex hull");
+  }
   if (report.convex_hull) check_width(raw, pslg);  // an area that segments close off is meant
   Mesh mesh = mesh_of_regions(std::move(raw), std::move(regions), pslg, std::move(pieces),
                               std::move(vertex_of), report, threads);

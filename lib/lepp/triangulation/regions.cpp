@@ -86,8 +86,11 @@ class SeedRegions {
     for (const std::uint32_t label : carved) outside_[label - 1] = true;
     if (std::ranges::find(outside_, false) != outside_.end()) return;
     throw InputError(pslg_.source + ", hole " + number(0),
-                     "is not enclosed: it removes the whole domain",
-                     "close the ring of segments around the hole, or the outer boundary");
+                     report_.convex_hull ? "is not enclosed: it removes the whole domain"
+                                         : "and the others leave nothing of the domain",
+                     report_.convex_hull
+                         ? "close the ring of segments around the hole, or the outer boundary"
+                         : "move it out of the area that is to be meshed, or remove it");
   }
 
   void place_seeds() {
