@@ -90,3 +90,13 @@ TEST_CASE("near pairs: pieces within rounding of each other cost no more than al
   CHECK(found.visits < 10 * strips.size() * strips.size());
   CHECK(!misses_a_pair(strips, found.pairs));
 }
+
+TEST_CASE(
+    "near pairs: segments that overlap along a line, with points on them, are no copies of cells") {
+  std::vector<Strip> strips;
+  for (int i = 0; i < 60; ++i) strips.push_back({{-1.0 - i, 0}, {601.0 + i, 0}});
+  for (int i = 0; i < 600; ++i) strips.push_back({{i + 0.5, 0}, {i + 0.5, 0}});
+  const Visited result = visited(strips);
+  CHECK(!misses_a_pair(strips, result.pairs));
+  CHECK(result.visits < 10 * result.pairs.size());  // was a thousand times
+}

@@ -99,14 +99,20 @@ class NearPairs {
       if (n > medium && part_along_a_piece()) return push_halves({0, 0, credit});
       part(cut);
     }
-    const int stuck = 10 * most > 9 * n ? cell.stuck + 1 : 0;
     const double left = std::min(
         credit, cell.credit_left * pairs(n) / (pairs(below_.size()) + pairs(above_.size())));
+    const int stuck = 10 * most > 9 * n ? cell.stuck + weight_of_cut() : 0;
     if (stuck > max_stuck || (n <= medium && left < 1)) {
       compare_along_direction({});
       return;
     }
     push_halves({0, stuck, left});
+  }
+
+  // Of pieces that overlap along a line, a cut only makes copies, and of their pairs as well: one
+  // such cut may be bad luck, a second one is not tried.
+  int weight_of_cut() const {
+    return 5 * (below_.size() + above_.size()) > 9 * entries_.size() ? max_stuck : 1;
   }
 
   static double pairs(std::size_t n) { return static_cast<double>(n) * static_cast<double>(n); }

@@ -79,15 +79,18 @@ class SeedRegions {
   void carve_holes() {
     const auto places = locate_all(pslg_.holes);
     std::vector<std::uint32_t> carved;
+    std::size_t last = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto label = label_at(places[i], pslg_.holes[i], "hole " + number(i));
-      if (label) carved.push_back(*label);
+      if (!label) continue;
+      carved.push_back(*label);
+      last = i;
     }
     for (const std::uint32_t label : carved) outside_[label - 1] = true;
     if (std::ranges::find(outside_, false) != outside_.end()) return;
-    throw InputError(pslg_.source + ", hole " + number(0),
+    throw InputError(pslg_.source + ", hole " + number(last),
                      report_.convex_hull ? "is not enclosed: it removes the whole domain"
-                                         : "and the others leave nothing of the domain",
+                                         : "removes what is left of the domain",
                      report_.convex_hull
                          ? "close the ring of segments around the hole, or the outer boundary"
                          : "move it out of the area that is to be meshed, or remove it");
