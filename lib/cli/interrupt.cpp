@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 
@@ -11,9 +12,10 @@ namespace lepp::cli {
 
 namespace {
 
-// What a signal handler may touch.
-volatile std::sig_atomic_t stop_asked = 0;
-volatile std::sig_atomic_t nothing_to_lose = 0;
+// What a signal handler may touch, and threads may read.
+std::atomic<int> stop_asked = 0;
+std::atomic<int> nothing_to_lose = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 // The first signal asks, unless nobody would hear it; a second one ends the process at once.
 extern "C" void ask_to_stop(int signal) {
