@@ -109,3 +109,18 @@ TEST_CASE("copies of points and segments are listed apart, and compared only onc
   CHECK(found.pairs.size() == 1);
   CHECK_FALSE(found.none());
 }
+
+TEST_CASE("too many meetings are refused: pairs and points on segments together, each once") {
+  Pslg pslg;  // 4 nested segments through 10 points, a grid of 5 x 5 lines beside them
+  for (int i = 0; i < 10; ++i) pslg.points.push_back({1.0 * i, 0.5 * i});
+  for (int i = 1; i <= 4; ++i) test::add_chain(pslg, {{-2.0 * i, -1.0 * i}, {10.0, 5.0}}, false);
+  for (int i = 0; i < 5; ++i) {
+    test::add_chain(pslg, {{100.0 + i, 0}, {100.0 + i, 9}}, false);
+    test::add_chain(pslg, {{99, 1.0 + i}, {109, 1.0 + i}}, false);
+  }
+  const SegmentMeetings found = find_segment_meetings(pslg, 71);
+  CHECK(found.points_on_segments.size() == 40);
+  CHECK(found.pairs.size() == 6 + 25);
+  CHECK_THROWS_AS(find_segment_meetings(pslg, 70), RefusedError);
+  CHECK_THROWS_AS(find_segment_meetings(pslg, 2), RefusedError);
+}

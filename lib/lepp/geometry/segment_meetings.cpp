@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <tuple>
 
 #include "lepp/geometry/near_pairs.hpp"
@@ -10,8 +11,6 @@
 namespace lepp {
 
 namespace {
-
-constexpr std::size_t max_pairs = 50'000'000;
 
 // A segment by the first copies of its ends, the smaller one first.
 struct Key {
@@ -22,7 +21,8 @@ struct Key {
 
 class Finder {
  public:
-  explicit Finder(const Pslg& pslg) : pslg_(pslg), first_(first_copies(pslg.points)) {}
+  Finder(const Pslg& pslg, std::size_t most)
+      : pslg_(pslg), most_(most), first_(first_copies(pslg.points)) {}
 
   SegmentMeetings run() {
     find_duplicates();
@@ -81,21 +81,30 @@ class Finder {
       else compare(distinct_[i], lone_[j - distinct_.size()]);
       return true;
     });
-    drop_copies(found_.pairs, [](const SegmentPair& p) { return std::tie(p.first, p.second); });
-    drop_copies(found_.points_on_segments,
-                [](const PointOnSegment& p) { return std::tie(p.point, p.segment); });
+    put_in_order();
   }
 
   void compare(const Key& r, const Key& s) {
     const SegmentMeeting meeting = meeting_of(r, s);
     if (meeting == SegmentMeeting::apart || meeting == SegmentMeeting::at_shared_end) return;
     found_.pairs.push_back({r.id, s.id, meeting});
-    if (found_.pairs.size() % max_pairs > 0) return;
+    keep_room();
+  }
+
+  // A meeting may be found several times. The copies go whenever the lists have grown long.
+  void keep_room() {
+    if (found_.pairs.size() + found_.points_on_segments.size() >= 2 * most_) put_in_order();
+  }
+
+  void put_in_order() {
     drop_copies(found_.pairs, [](const SegmentPair& p) { return std::tie(p.first, p.second); });
-    if (found_.pairs.size() > max_pairs / 2) {
-      throw RefusedError(pslg_.source, "more than 25 million pairs of segments meet",
-                         "is this the right file? Meshing it would need as many points");
-    }
+    drop_copies(found_.points_on_segments,
+                [](const PointOnSegment& p) { return std::tie(p.point, p.segment); });
+    if (found_.pairs.size() + found_.points_on_segments.size() <= most_) return;
+    throw RefusedError(pslg_.source,
+                       "segments meet each other, or pass through points, in more than " +
+                           std::to_string(most_) + " places",
+                       "is this the right file? Meshing it would need as many points");
   }
 
   // Neighbours in a chain are by far the most frequent pairs: one test tells nearly all of them.
@@ -111,7 +120,9 @@ class Finder {
   }
 
   void compare(const Key& r, VertexId v) {
-    if (is_on_segment(at(v), at(r.low), at(r.high))) found_.points_on_segments.push_back({v, r.id});
+    if (!is_on_segment(at(v), at(r.low), at(r.high))) return;
+    found_.points_on_segments.push_back({v, r.id});
+    keep_room();
   }
 
   template <class List, class Projection>
@@ -122,6 +133,7 @@ class Finder {
   }
 
   const Pslg& pslg_;
+  std::size_t most_;
   std::vector<VertexId> first_;
   std::vector<Key> distinct_;
   std::vector<VertexId> lone_;
@@ -135,7 +147,9 @@ bool SegmentMeetings::none() const {
          pairs.empty() && points_on_segments.empty();
 }
 
-SegmentMeetings find_segment_meetings(const Pslg& pslg) { return Finder(pslg).run(); }
+SegmentMeetings find_segment_meetings(const Pslg& pslg, std::size_t most) {
+  return Finder(pslg, most).run();
+}
 
 std::vector<VertexId> first_copies(const std::vector<Point>& points) {
   std::vector<std::pair<Point, VertexId>> order;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,12 +37,16 @@ struct SegmentMeetings {
   bool none() const;  ///< true if every list is empty: P3 and P4 hold
 };
 
+/// The largest number of `pairs` and `points_on_segments` together; while they are looked for, up
+/// to twice as many stand in memory, 12 bytes each.
+inline constexpr std::size_t most_meetings = 25'000'000;
+
 /// Finds them all.
 /// \pre     P1 and P2
-/// \throw   RefusedError on more than 25 million pairs that meet
+/// \throw   RefusedError if `pairs` and `points_on_segments` together are more than `most`
 /// Cost     O(n log n + what is found) in practice; near_pairs.hpp. A million segments of a coast
 ///          line take about a second.
-SegmentMeetings find_segment_meetings(const Pslg& pslg);
+SegmentMeetings find_segment_meetings(const Pslg& pslg, std::size_t most = most_meetings);
 
 /// What validate() says of a PSLG, and what it looked at.
 struct PslgFindings {
