@@ -14,21 +14,7 @@ namespace lepp {
 // overflows, and each expansion below is exact.
 static_assert(std::numeric_limits<double>::is_iec559);
 
-namespace exact {
-
-int orient2d(Point a, Point b, Point c) {
-  if (const auto grid = on_common_grid<3>({a, b, c})) return integer::orient2d(*grid);
-  const auto left = difference(a.x, c.x) * difference(b.y, c.y);
-  const auto right = difference(a.y, c.y) * difference(b.x, c.x);
-  return (left - right).sign();
-}
-
-int dot_sign(Point a, Point apex, Point b) {
-  if (const auto grid = on_common_grid<3>({a, apex, b})) return integer::dot_sign(*grid);
-  const auto x = difference(a.x, apex.x) * difference(b.x, apex.x);
-  const auto y = difference(a.y, apex.y) * difference(b.y, apex.y);
-  return (x + y).sign();
-}
+namespace {
 
 // The rounded determinant with the error bound of [shewchuk1997], which follows the size of its
 // terms more closely than the bound that is cheap to have.
@@ -48,6 +34,24 @@ std::optional<int> filtered_incircle(Point a, Point b, Point c, Point d) {
   constexpr double bound = (10 + 96 * filter::epsilon) * filter::epsilon;
   if (std::abs(det) > bound * size) return filter::sign_of(det);
   return std::nullopt;
+}
+
+}  // namespace
+
+namespace exact {
+
+int orient2d(Point a, Point b, Point c) {
+  if (const auto grid = on_common_grid<3>({a, b, c})) return integer::orient2d(*grid);
+  const auto left = difference(a.x, c.x) * difference(b.y, c.y);
+  const auto right = difference(a.y, c.y) * difference(b.x, c.x);
+  return (left - right).sign();
+}
+
+int dot_sign(Point a, Point apex, Point b) {
+  if (const auto grid = on_common_grid<3>({a, apex, b})) return integer::dot_sign(*grid);
+  const auto x = difference(a.x, apex.x) * difference(b.x, apex.x);
+  const auto y = difference(a.y, apex.y) * difference(b.y, apex.y);
+  return (x + y).sign();
 }
 
 int incircle(Point a, Point b, Point c, Point d) {
@@ -78,10 +82,16 @@ bool predicates_self_test() {
   const Point in{on.x, std::nextafter(on.y, 0)}, out{on.x, std::nextafter(on.y, -1e9)};
   // A right angle with inexact legs.
   const Point apex{0.1, 0.1}, u{0.1 + 0x1p-30, 0.1}, v{0.1, 0.1 + 0x1p-40};
-  return orient2d({0.5, 0.5}, far_a, far_b) == 0 && orient2d(far_a, far_b, off) == 1 &&
-         orient2d(far_a, far_b, under) == -1 && incircle(p, q, r, on) == 0 &&
-         incircle(p, q, r, in) == 1 && incircle(p, q, r, out) == -1 && dot_sign(u, apex, v) == 0 &&
-         dot_sign({u.x, std::nextafter(u.y, 0)}, apex, v) == -1 &&
+  // Coordinates of scales so far apart that only expansions can tell.
+  constexpr double e = 0x1p-80;
+  const Point one{1, 1}, three{3, 3};
+  const bool expansions =
+      orient2d({e, e / 2}, one, three) == -1 && orient2d({e / 2, e}, one, three) == 1 &&
+      orient2d({e, e}, one, three) == 0 && incircle({1, 0}, {0, 1}, {-1, 0}, {0x1p-70, -1}) == -1;
+  return expansions && orient2d({0.5, 0.5}, far_a, far_b) == 0 &&
+         orient2d(far_a, far_b, off) == 1 && orient2d(far_a, far_b, under) == -1 &&
+         incircle(p, q, r, on) == 0 && incircle(p, q, r, in) == 1 && incircle(p, q, r, out) == -1 &&
+         dot_sign(u, apex, v) == 0 && dot_sign({u.x, std::nextafter(u.y, 0)}, apex, v) == -1 &&
          dot_sign({u.x, std::nextafter(u.y, 1)}, apex, v) == 1;
 }
 

@@ -7,8 +7,8 @@
 namespace lepp {
 
 namespace exact {
-// The same signs without a filter: in integers where the points share a grid of 61 bits
-// (integer_signs.hpp), else by expansion arithmetic.
+// The same signs after the cheap filter: for incircle by a closer one; else in integers where the
+// points share a grid of 61 bits (integer_signs.hpp); else in expansions (expansion.hpp).
 int orient2d(Point a, Point b, Point c);
 int incircle(Point a, Point b, Point c, Point d);
 int dot_sign(Point a, Point apex, Point b);
@@ -34,9 +34,10 @@ inline double largest(double a, double b, double c, double d, double e) {
 inline int sign_of(double x) { return (x > 0) - (x < 0); }
 }  // namespace filter
 
-/// Exact signs. Each is -1, 0 or +1, decided by a floating-point filter and, where the filter
-/// cannot tell, by expansion arithmetic. \pre coordinates in the supported range of pslg.hpp.
-/// Source [shewchuk1997] for expansions and the shape of the error bounds.
+/// Exact signs. Each is -1, 0 or +1, decided by a cheap floating-point filter. Where that cannot
+/// tell, incircle asks a closer one; then come integers, then expansions.
+/// \pre    coordinates in the supported range of pslg.hpp
+/// Source  [shewchuk1997] for expansions and the shape of the error bounds
 
 /// +1 if a, b, c turn left (counter-clockwise), -1 if right, 0 if collinear.
 inline int orient2d(Point a, Point b, Point c) {
