@@ -60,6 +60,20 @@ TEST_CASE("edges between regions, and given lines, are constrained") {
   CHECK(validate(mesh).summary() == "valid");
 }
 
+TEST_CASE("a line given many times: its edge has one set of owners, and each keeps its curve") {
+  TriangleSoup soup = square();
+  soup.entities.curves = {{9, {}, StraightCurve{}, {}}, {10, {}, StraightCurve{}, {}}};
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    soup.segments.push_back({v(i % 2 * 2), v(2 - i % 2 * 2), CurveId(i % 2), 0, 1});
+  }
+  const Mesh mesh = mesh_from_triangles(soup).mesh;
+  CHECK(validate(mesh).summary() == "valid");
+  const HalfEdge diagonal = *mesh.find_edge(v(0), v(2));
+  CHECK(mesh.segments_of(diagonal).size() == 20'000);
+  CHECK(mesh.constrained_edge(diagonal).segments == SegmentSetId(mesh.segments().size()));
+  CHECK(measure_entities(mesh).curve_lengths[1] == doctest::Approx(std::sqrt(2)));
+}
+
 TEST_CASE("unused points are dropped with a count, lines that are no edge too") {
   TriangleSoup soup = square();
   soup.points.push_back({9, 9});

@@ -82,9 +82,19 @@ void Mesh::own_edges(std::span<const SegmentId> again) {
     }
     constrained_edges_.set(segments_[s].a, segments_[s].b, {SegmentSetId(s), {}});
   }
-  for (const SegmentId s : again) {
-    const Segment& segment = segments_[s.index()];
-    share_record(*find_record(segment.a, segment.b), segment.a, segment.b, s);
+  const auto edge_of = [&](SegmentId s) {
+    return std::minmax({segments_[s.index()].a, segments_[s.index()].b});
+  };
+  std::vector<SegmentId> by_edge(again.begin(), again.end());
+  std::ranges::stable_sort(by_edge, {}, edge_of);
+  for (auto begin = by_edge.cbegin(); begin != by_edge.cend();) {
+    const auto [a, b] = edge_of(*begin);
+    const auto end = std::find_if(begin, by_edge.cend(),
+                                  [&](SegmentId s) { return edge_of(s) != std::pair(a, b); });
+    std::vector<SegmentId> owners{SegmentId(find_record(a, b)->segments.value)};  // the first one
+    owners.insert(owners.end(), begin, end);
+    share_edge(a, b, std::move(owners));
+    begin = end;
   }
 }
 
@@ -180,18 +190,18 @@ void Mesh::add_owner(HalfEdge e, SegmentId s, double t_origin, double t_destinat
                   in_order ? t_destination : t_origin});
     return;
   }
-  share_record(*old, a, b, s);
+  const auto known = segments_of(old->segments);
+  if (std::ranges::find(known, s) != known.end()) return;
+  std::vector<SegmentId> owners(known.begin(), known.end());
+  owners.insert(std::ranges::upper_bound(owners, s), s);
+  share_edge(a, b, std::move(owners));
 }
 
-void Mesh::share_record(const ConstrainedEdge& old, VertexId a, VertexId b, SegmentId s) {
-  const auto owners = segments_of(old.segments);
-  if (std::ranges::find(owners, s) != owners.end()) return;
-  std::vector<SegmentId> shared(owners.begin(), owners.end());
-  shared.push_back(s);
-  std::ranges::sort(shared);
+// \pre `owners` are ascending
+void Mesh::share_edge(VertexId a, VertexId b, std::vector<SegmentId> owners) {
   const auto next = static_cast<std::uint32_t>(own_set_.size() + shared_sets_.size());
-  const auto [known, is_new] = shared_set_index_.try_emplace(shared, next);
-  if (is_new) shared_sets_.push_back(std::move(shared));
+  const auto [known, is_new] = shared_set_index_.try_emplace(owners, next);
+  if (is_new) shared_sets_.push_back(std::move(owners));
   set_record(a, b, {known->second, 0, 1});
 }
 

@@ -207,12 +207,14 @@ class SoupJoiner {
       edge_of.push_back(e);
     }
     mesh_.set_segments(std::move(segments));
+    std::vector<SegmentId> again;
     for (std::size_t s = 0; s < edge_of.size(); ++s) {
-      const Segment& segment = mesh_.segments()[s];
-      const bool forward = mesh_.origin(edge_of[s]) == segment.a;
-      mesh_.add_owner(edge_of[s], SegmentId(s), forward ? segment.t_a : segment.t_b,
-                      forward ? segment.t_b : segment.t_a);
+      const HalfEdge e = edge_of[s];
+      if (mesh_.is_constrained(e)) again.emplace_back(s);
+      mesh_.set_constrained_flag(e, true);
+      if (const auto across = mesh_.twin(e)) mesh_.set_constrained_flag(*across, true);
     }
+    mesh_.own_edges(again);
   }
 
   // Boundary edges that meet elsewhere than at their ends mean triangles that overlap, or a
