@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/triangulation/validate.hpp"
@@ -41,8 +43,7 @@ TEST_CASE("a chord through a smooth closed curve, along its longer and its short
   for (const double flat : {0.3, 3.0}) {
     Pslg pslg;
     for (std::size_t i = 0; i < many; ++i) {
-      const double turn =
-          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(many);
+      const double turn = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(many);
       pslg.points.push_back({std::cos(turn), flat * std::sin(turn)});
       add_segment(pslg, i, (i + 1) % many);
     }
@@ -94,4 +95,32 @@ TEST_CASE("a parabola: circles through neighbouring points are nested") {
   pslg.points.push_back({0.5, 2.0});
   add_segment(pslg, 0, many + 1);
   check(pslg);
+}
+
+TEST_CASE("copies of one segment: their edge has one set of owners, ascending, and no other set") {
+  Pslg pslg;
+  pslg.points = {{0, 0}, {1, 0}, {0, 1}};
+  for (std::size_t i = 0; i < 3; ++i) add_segment(pslg, i, (i + 1) % 3);
+  for (std::size_t i = 0; i < many; ++i) add_segment(pslg, i % 2, 1 - i % 2);
+  const Mesh mesh = constrained_delaunay(pslg).mesh;
+  CHECK(validate(mesh).summary() == "valid");
+  const auto shared = mesh.find_edge(VertexId(0U), VertexId(1U));
+  REQUIRE(shared);
+  CHECK(mesh.segments_of(*shared).size() == many + 1);
+  CHECK(std::ranges::is_sorted(mesh.segments_of(*shared)));
+  CHECK(mesh.constrained_edge(*shared).segments == SegmentSetId(mesh.segments().size()));
+}
+
+TEST_CASE("nested segments over many points are refused before their pieces fill the memory") {
+  Pslg pslg;
+  pslg.points = {{0, -1}};
+  for (std::size_t i = 0; i < many; ++i) pslg.points.push_back({static_cast<double>(i), 0});
+  for (std::size_t i = 1; i < 2000; ++i) add_segment(pslg, i, many + 1 - i);
+  std::string message;
+  try {
+    constrained_delaunay(pslg);
+  } catch (const RefusedError& error) {
+    message = error.what();
+  }
+  CHECK(message.find("more than 10 million") != std::string::npos);
 }

@@ -14,6 +14,8 @@ namespace {
 
 using Code = RawTriangulation::Code;
 
+constexpr std::size_t max_further = 10'000'000;
+
 class SegmentInserter {
  public:
   SegmentInserter(RawTriangulation& raw, const Pslg& pslg, TriangulationReport& report)
@@ -24,20 +26,18 @@ class SegmentInserter {
   // From both ends inwards: `a` and `b` bound what is still missing.
   void insert(SegmentId segment, VertexId a, VertexId b) {
     segment_ = segment;
-    const std::size_t first = pieces_.first.size(), further = pieces_.further.size();
-    const bool ascending = raw_.point(a) < raw_.point(b);
     while (a != b) {
       const Search search = find_edge(a, b);
       if (search.edge) {
-        add_piece(*search.edge, a, b);
+        add_piece(*search.edge, a, b, pieces_);
         break;
       }
       // The vertex with the shorter fan is the one that has been searched in full.
       if (search.from_b) b = advance(b, a, true);
       else a = advance(a, b, false);
     }
-    put_in_order(pieces_.first, first, ascending);
-    put_in_order(pieces_.further, further, ascending);
+    append_backwards(pieces_.first, from_b_.first);
+    append_backwards(pieces_.further, from_b_.further);
   }
 
   SegmentPieces take_pieces() { return std::move(pieces_); }
@@ -69,11 +69,12 @@ class SegmentInserter {
 
   // Constrains the edge from `at` to the first vertex on the way to `target`, and returns it.
   VertexId advance(VertexId at, VertexId target, bool backwards) {
+    SegmentPieces& pieces = backwards ? from_b_ : pieces_;
     const Code first = towards(at, target);
     if (raw_.origin(first) == at) {
       const VertexId end = raw_.destination(first);
       ++report_.points_on_segments;
-      add_piece(first, backwards ? end : at, backwards ? at : end);
+      add_piece(first, backwards ? end : at, backwards ? at : end, pieces);
       return end;
     }
     hole_.start(at, first);
@@ -84,7 +85,7 @@ class SegmentInserter {
       if (turn == 0) {
         if (apex != target) ++report_.points_on_segments;
         hole_.fill();
-        pieces_.first.push_back({segment_, backwards ? apex : at, backwards ? at : apex});
+        pieces.first.push_back({segment_, backwards ? apex : at, backwards ? at : apex});
         return apex;
       }
       hole_.pass(turn);
@@ -103,7 +104,8 @@ class SegmentInserter {
     VertexId u = raw_.destination(e);
     int turn_u = turn(u);
     while (true) {  // ends: the target lies in the hull, so in one of the triangles around `at`
-      if (turn_u == 0 && u != RawTriangulation::ghost && dot_sign(q, p, raw_.point(u)) > 0) return e;
+      if (turn_u == 0 && u != RawTriangulation::ghost && dot_sign(q, p, raw_.point(u)) > 0)
+        return e;
       const VertexId w = raw_.apex(e);
       const int turn_w = turn(w);
       if (turn_u < 0 && turn_w > 0) return RawTriangulation::next(e);
@@ -113,23 +115,28 @@ class SegmentInserter {
     }
   }
 
-  void add_piece(Code e, VertexId a, VertexId b) {
+  void add_piece(Code e, VertexId a, VertexId b, SegmentPieces& pieces) {
     if (raw_.is_constrained(e)) {
       ++report_.overlapping_edges;
-      pieces_.further.push_back({segment_, a, b});
+      const std::size_t known = pieces_.further.size() + from_b_.further.size();
+      if (known >= max_further + pslg_.segments.size()) throw too_many_overlaps();
+      pieces.further.push_back({segment_, a, b});
       return;
     }
     raw_.constrain(e);
-    pieces_.first.push_back({segment_, a, b});
+    pieces.first.push_back({segment_, a, b});
   }
 
-  // Along one segment, points stand in the lexicographic order or against it.
-  void put_in_order(std::vector<SegmentPiece>& pieces, std::size_t first, bool ascending) const {
-    if (pieces.size() < first + 2) return;
-    std::sort(pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end(),
-              [&](const SegmentPiece& p, const SegmentPiece& q) {
-                return (raw_.point(p.a) < raw_.point(q.a)) == ascending && p.a != q.a;
-              });
+  static void append_backwards(std::vector<SegmentPiece>& pieces, std::vector<SegmentPiece>& more) {
+    pieces.insert(pieces.end(), more.rbegin(), more.rend());
+    more.clear();
+  }
+
+  RefusedError too_many_overlaps() const {
+    return {pslg_.source,
+            "segments lie on each other along more than 10 million edges, and " +
+                pslg_.segment_name(segment_) + " adds more",
+            "is this the right file? Remove segments that lie on others"};
   }
 
   // An edge has no owner of its own in the kernel: it is looked up, once, to complain.
@@ -144,7 +151,8 @@ class SegmentInserter {
     const VertexId u = raw_.origin(e), w = raw_.destination(e);
     const Point p =
         crossing_point(raw_.point(at), raw_.point(target), raw_.point(u), raw_.point(w));
-    const SegmentId other = owner(u, w), r = std::min(segment_, other), s = std::max(segment_, other);
+    const SegmentId other = owner(u, w), r = std::min(segment_, other),
+                    s = std::max(segment_, other);
     return {pslg_.source,
             pslg_.segment_name(r) + " and " + pslg_.segment_name(s) + " cross at " + to_text(p),
             "give them a common point there, or use --split-crossings (Crossings::split)"};
@@ -155,14 +163,14 @@ class SegmentInserter {
   TriangulationReport& report_;
   SegmentHole hole_;
   SegmentPieces pieces_;
+  SegmentPieces from_b_;  // of the segment that is being inserted, from its end b inwards
   SegmentId segment_;
 };
 
 }  // namespace
 
 SegmentPieces insert_segments(RawTriangulation& raw, const Pslg& pslg,
-                              const std::vector<VertexId>& vertex_of,
-                              TriangulationReport& report) {
+                              const std::vector<VertexId>& vertex_of, TriangulationReport& report) {
   SegmentInserter inserter(raw, pslg, report);
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const Segment& segment = pslg.segments[s];

@@ -24,7 +24,8 @@ struct SegmentPieces {
 /// halves of the hole are triangulated again. A vertex exactly on a segment cuts it; an edge that
 /// is constrained already becomes shared.
 /// \param vertex_of  for each input point its vertex
-/// \throw  InputError where two segments cross elsewhere than in a point
+/// \throw  InputError where two segments cross where the input has no point
+/// \throw  RefusedError if `further` would get more than 10 million pieces and one per segment
 /// Cost    O(min(degree of a, degree of b)) for a segment that is an edge already; else the
 ///         triangles crossed, and the flips that make the hole Delaunay.
 SegmentPieces insert_segments(RawTriangulation& raw, const Pslg& pslg,
