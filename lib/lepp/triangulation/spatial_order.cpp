@@ -112,12 +112,15 @@ class SpatialSort {
     const double size = std::max(high.x - low.x, high.y - low.y);
     if (size == 0) return false;
     const double scale = 65535.0 / size;
+    // The curve goes through the left half of its square first. So the longer side is laid along x,
+    // and the line between the halves divides the points near the middle (merge_halves.hpp).
+    const bool tall = high.y - low.y > high.x - low.x;
     for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t index = index_of(items_[i]);
       const Point p = points_[index];
       const auto x = static_cast<std::uint32_t>((p.x - low.x) * scale);
       const auto y = static_cast<std::uint32_t>((p.y - low.y) * scale);
-      items_[i] = Item{hilbert_position(x, y)} << 32 | index;
+      items_[i] = Item{tall ? hilbert_position(y, x) : hilbert_position(x, y)} << 32 | index;
     }
     return true;
   }
