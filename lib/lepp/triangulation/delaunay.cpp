@@ -28,8 +28,8 @@ std::vector<std::uint8_t> choose_rounds(std::size_t count) {
   return rounds;
 }
 
-// A range of the vertices, [begin, end), and the first of the 2 (end - begin - 1) triangles that
-// they get. Two of these can be at work at the same time.
+// Inserts vertices of one range; its triangles lie from first_triangle on, 2 (vertices - 1) of
+// them. Two can work at the same time on different ranges.
 class Inserter {
  public:
   Inserter(RawTriangulation& raw, std::uint32_t first_triangle)
@@ -174,14 +174,22 @@ bool triangulate_range(RawTriangulation& raw, std::uint32_t begin, std::uint32_t
 bool triangulate_halves(RawTriangulation& raw, const Halves& halves, unsigned threads) {
   const auto cut = static_cast<std::uint32_t>(halves.first_of_second);
   const auto count = static_cast<std::uint32_t>(raw.points.size());
+  const std::uint32_t middle = 2 * (cut - 1), free = 2 * (count - 2);  // two are free from there on
   std::array<bool, 2> done{};
+  std::array<std::uint32_t, 2> facing{};
   in_parallel(
-      threads, [&] { done[0] = triangulate_range(raw, 0, cut, 0); },
-      [&] { done[1] = triangulate_range(raw, cut, count, 2 * (cut - 1)); });
+      threads,
+      [&] {
+        done[0] = triangulate_range(raw, 0, cut, 0);
+        if (done[0]) facing[0] = facing_ghost(raw, 0, halves, Half::first);
+      },
+      [&] {
+        done[1] = triangulate_range(raw, cut, count, middle);
+        if (done[1]) facing[1] = facing_ghost(raw, middle, halves, Half::second);
+      });
   if (!done[0] || !done[1]) return false;
-  const std::array<std::uint32_t, 2> free{2 * (count - 1) - 1, 2 * (count - 1) - 2};
-  for (const std::uint32_t t : free) raw.triangles[t] = {};
-  merge_halves(raw, halves, free);
+  for (const std::uint32_t t : {free, free + 1}) raw.triangles[t] = {};
+  merge_halves(raw, facing, {free, free + 1});
   return true;
 }
 

@@ -16,12 +16,14 @@ struct DelaunayOptions {
 /// it and is joined to the edge of the hole. The order is a biased randomized one (BRIO): a random
 /// eighth of the points before the rest, an eighth of those before them, and so on, each round
 /// along the spatial order; the walk to a point starts at the one before. Many points are divided
-/// into two halves, which two threads can triangulate at the same time, and merged. Signs are
-/// exact; of cocircular points the ones that came first keep their edges. \pre    no two points are
-/// equal, neighbours in the array are near each other \return false if all points lie on one line
-/// (then there are no triangles) Cost    O(n) expected for most inputs, O(n log n) expected at
-/// worst but for the walks. Source  [bowyer1981], [amenta2003] for the order, [guibas1985] for
-/// merging, ghost triangles as in [shewchuk1997]
+/// into two halves, which two threads can triangulate at the same time, and merged; halves that lie
+/// on one line are not merged: then all points are inserted together. Signs are exact; of
+/// cocircular points the ones that came first keep their edges.
+/// \pre    1 <= points < 2^29; no two are equal, neighbours in the array are near each other
+/// \return false if all points lie on one line (then there are no triangles)
+/// Cost    O(n) expected for most inputs; O(n log n) expected at worst, but for the walks
+/// Source  [bowyer1981]; [amenta2003] for the order, [guibas1985] for merging, ghost triangles as
+///         in [shewchuk1997]
 bool triangulate_points(RawTriangulation& raw, const DelaunayOptions& options = {});
 
 }  // namespace lepp

@@ -53,13 +53,17 @@ std::size_t best_cut(std::span<const Point> points, bool by_y) {
   return best;
 }
 
+// Ghosts (u, w) follow each other clockwise around the hull.
+std::uint32_t ghost_after(const RawTriangulation& raw, std::uint32_t ghost) {
+  return RawTriangulation::triangle_of(raw.twin(RawTriangulation::code(ghost, 0)));
+}
+
 class Merge {
  public:
   Merge(RawTriangulation& raw, std::span<const std::uint32_t> free)
       : raw_(raw), free_(free.begin(), free.end()) {}
 
-  // `left` and `right` are ghosts of either half: those whose hull edge starts at the vertex that
-  // lies nearest to the other half.
+  // From the ghosts of the halves that face each other.
   void run(std::uint32_t left, std::uint32_t right) {
     find_tangent(left, right);
     const std::uint32_t below = take_slot();
@@ -78,10 +82,7 @@ class Merge {
   }
 
  private:
-  // Ghosts (u, w) follow each other clockwise around the hull.
-  std::uint32_t after(std::uint32_t ghost) const {
-    return RawTriangulation::triangle_of(raw_.twin(RawTriangulation::code(ghost, 0)));
-  }
+  std::uint32_t after(std::uint32_t ghost) const { return ghost_after(raw_, ghost); }
   std::uint32_t before(std::uint32_t ghost) const {
     return RawTriangulation::triangle_of(raw_.twin(RawTriangulation::code(ghost, 1)));
   }
@@ -208,21 +209,24 @@ std::optional<Halves> find_halves(std::span<const Point> points) {
   return Halves{cut, use_y};
 }
 
-void merge_halves(RawTriangulation& raw, const Halves& halves,
-                  std::span<const std::uint32_t> free) {
-  // Of each half the ghost whose edge starts farthest towards the other one.
-  std::array<std::optional<std::uint32_t>, 2> nearest;
-  std::array<double, 2> best{};
-  for (std::uint32_t t = 0; t < raw.triangles.size(); ++t) {
-    if (std::ranges::find(free, t) != free.end() || !raw.is_ghost(t)) continue;
-    const VertexId start = raw.triangles[t].vertices[0];
-    const bool second = start.index() >= halves.first_of_second;
-    const double place = along(raw.point(start), halves.by_y) * (second ? -1 : 1);
-    if (nearest[second] && place <= best[second]) continue;
-    nearest[second] = t;
-    best[second] = place;
+std::uint32_t facing_ghost(const RawTriangulation& raw, std::uint32_t first_triangle,
+                           const Halves& halves, Half half) {
+  const auto place = [&](std::uint32_t ghost) {
+    const double at = along(raw.point(raw.triangles[ghost].vertices[0]), halves.by_y);
+    return half == Half::first ? at : -at;
+  };
+  std::uint32_t first = first_triangle;
+  while (!raw.is_ghost(first)) ++first;
+  std::uint32_t best = first;
+  for (std::uint32_t g = ghost_after(raw, first); g != first; g = ghost_after(raw, g)) {
+    if (place(g) > place(best)) best = g;
   }
-  Merge(raw, free).run(*nearest[0], *nearest[1]);
+  return best;
+}
+
+void merge_halves(RawTriangulation& raw, std::array<std::uint32_t, 2> facing,
+                  std::array<std::uint32_t, 2> free) {
+  Merge(raw, free).run(facing[0], facing[1]);
 }
 
 }  // namespace lepp
