@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
@@ -78,6 +79,26 @@ std::set<Corners> triangles_of(const RawTriangulation& raw) {
   return all;
 }
 
+bool has_area(std::span<const Point> points) {
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    if (orient2d(points[0], points[1], points[i]) != 0) return true;
+  }
+  return false;
+}
+
+// True if points in order are triangulated as two halves and merged.
+bool are_merged(std::span<const Point> points) {
+  if (points.size() < 8) return false;
+  const auto halves = find_halves(points);
+  return halves && has_area(points.first(halves->first_of_second)) &&
+         has_area(points.subspan(halves->first_of_second));
+}
+
+bool are_equal(const RawTriangulation& one, const RawTriangulation& two) {
+  return std::ranges::equal(one.triangles, two.triangles, {}, &Triangle::vertices,
+                            &Triangle::vertices);
+}
+
 std::vector<Point> random_points(std::uint64_t seed, std::size_t count, double width) {
   Random random(seed);
   std::vector<Point> points;
@@ -98,22 +119,50 @@ TEST_CASE("merged halves are the Delaunay triangulation of all points, for every
       CAPTURE(family_names[family]);
       CAPTURE(seed);
       CHECK(faults(*raw) == 0);
-      if (points.size() >= 8 && find_halves(points)) ++merged;
+      if (!are_merged(points)) continue;
+      ++merged;
+      if (seed % 20 == 0) CHECK(are_equal(*raw, *triangulated(points, 8, 2)));
     }
   }
   CHECK(merged > 2000);  // of 4800: most inputs have a line through the middle
 }
 
-TEST_CASE("grids, circles and two columns merge: many cocircular and collinear points") {
-  std::vector<std::vector<Point>> inputs(4);
+TEST_CASE("grids, circles and columns merge: many cocircular and collinear points") {
+  std::vector<std::vector<Point>> inputs(3);
   for (int i = 0; i < 40; ++i) {
     for (int j = 0; j < 40; ++j) inputs[0].push_back({1.0 * i, 1.0 * j});
     inputs[1].push_back({std::cos(0.157 * i), std::sin(0.157 * i)});
-    inputs[2].push_back({i % 2 == 0 ? 0.0 : 100.0, 1.0 * i});
-    inputs[3].push_back({1.0 * i, i == 20 ? 1.0 : 0.0});
+    for (const double x : {0.0, 1.0, 100.0, 101.0}) inputs[2].push_back({x, 1.0 * i});
   }
-  for (const auto& points : inputs) {
-    const auto raw = triangulated(in_order(points), 8);
+  for (const double scale : {1.0, 1e-3, 0.1, 0x1p60, 1e9}) {  // exactly, or nearly, on a circle
+    auto& circle = inputs.emplace_back();
+    for (const double x : {-5.0, -4.0, -3.0, 0.0, 3.0, 4.0, 5.0}) {
+      const double y = std::sqrt(25 - x * x);
+      circle.push_back({scale * x, scale * y});
+      if (y > 0) circle.push_back({scale * x, scale * -y});
+    }
+    REQUIRE(circle.size() == 12);
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    CAPTURE(i);
+    const auto points = in_order(inputs[i]);
+    REQUIRE(are_merged(points));
+    const auto raw = triangulated(points, 8);
+    REQUIRE(raw);
+    CHECK(faults(*raw) == 0);
+  }
+}
+
+TEST_CASE("where a half lies on one line, all points are inserted together") {
+  std::vector<std::vector<Point>> inputs(2);
+  for (int i = 0; i < 40; ++i) {
+    inputs[0].push_back({i % 2 == 0 ? 0.0 : 100.0, 1.0 * i});
+    inputs[1].push_back({1.0 * i, i == 20 ? 1.0 : 0.0});
+  }
+  for (const auto& input : inputs) {
+    const auto points = in_order(input);
+    CHECK(!are_merged(points));
+    const auto raw = triangulated(points, 8);
     REQUIRE(raw);
     CHECK(faults(*raw) == 0);
   }
@@ -129,11 +178,14 @@ TEST_CASE("in general position the merged halves and the whole have the same tri
 }
 
 TEST_CASE("halves are cut near the middle where a line separates them, or not at all") {
-  const auto points = in_order(random_points(4, 20000, 1));
-  const auto halves = find_halves(points);
-  REQUIRE(halves);
-  CHECK(halves->first_of_second > 9500);
-  CHECK(halves->first_of_second < 10500);
+  for (const double width : {0.3, 0.55, 0.7, 1.0, 1.4, 1.8}) {
+    CAPTURE(width);
+    const auto points = in_order(random_points(4, 20000, width));
+    const auto halves = find_halves(points);
+    REQUIRE(halves);
+    CHECK(halves->first_of_second > 9500);
+    CHECK(halves->first_of_second < 10500);
+  }
   std::vector<Point> mixed;  // large and small x in turn, y as well: no line anywhere
   for (int i = 0; i < 5000; ++i) mixed.push_back({i % 2 * 1e4 + i, (i / 2) % 2 * 1e4 + i});
   CHECK(!find_halves(mixed));
@@ -141,7 +193,9 @@ TEST_CASE("halves are cut near the middle where a line separates them, or not at
 
 TEST_CASE("the mesh does not depend on the number of threads") {
   Pslg pslg = generate_pslg(Family::nested_rings, 5, 200);
-  for (const Point p : random_points(6, 30000, 1)) pslg.points.push_back(p);
+  const auto around = random_points(6, 30000, 1);  // the rings have radius 10
+  for (const Point p : around) pslg.points.push_back({20 * p.x - 10, 20 * p.y - 10});
+  REQUIRE(are_merged(in_order(pslg.points)));
   const Mesh one = constrained_delaunay(pslg, {Crossings::split, 1}).mesh;
   const Mesh two = constrained_delaunay(pslg, {Crossings::split, 2}).mesh;
   CHECK(validate(two).summary() == "valid");
