@@ -28,16 +28,17 @@ class Flood {
       if (raw_.is_ghost(t)) {
         raw_.set_label(t, 0);
       } else {
-        is_open.push_back(false);
+        is_open_.push_back(false);
         fill_from(t);
       }
     }
   }
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(is_open.size()); }
-
-  std::vector<bool> is_open;  // by label - 1
-  std::vector<Code> leaving;  // unconstrained edges to triangles elsewhere
+  std::uint32_t count() const { return static_cast<std::uint32_t>(is_open_.size()); }
+  // By label - 1.
+  const std::vector<bool>& is_open() const { return is_open_; }
+  // Unconstrained edges to triangles behind the range.
+  const std::vector<Code>& leaving() const { return leaving_; }
 
  private:
   void fill_from(std::uint32_t start) {
@@ -47,7 +48,7 @@ class Flood {
       front_.swap(next_);
       for (const std::uint32_t t : front_) {
         if (raw_.is_ghost(t)) {
-          is_open.back() = true;
+          is_open_.back() = true;
           seen_[t - begin_] = false;  // other components may reach it, too
         } else {
           raw_.set_label(t, count());
@@ -64,8 +65,8 @@ class Flood {
       const std::uint32_t across = RawTriangulation::triangle_of(raw_.twin(e));
       if (raw_.is_constrained(e)) continue;
       if (across < begin_ || across >= end_) {
-        if (raw_.is_ghost(across)) is_open.back() = true;
-        else leaving.push_back(e);
+        if (raw_.is_ghost(across)) is_open_.back() = true;
+        else if (across >= end_) leaving_.push_back(e);
       } else if (!seen_[across - begin_]) {
         seen_[across - begin_] = true;
         raw_.prefetch(across);
@@ -76,7 +77,8 @@ class Flood {
 
   RawTriangulation& raw_;
   std::uint32_t begin_, end_;
-  std::vector<bool> seen_;
+  std::vector<bool> seen_, is_open_;
+  std::vector<Code> leaving_;
   std::vector<std::uint32_t> front_, next_;
 };
 
@@ -125,7 +127,7 @@ Components label_components(RawTriangulation& raw, unsigned threads) {
   in_parallel(
       threads, [&] { first.run(); }, [&] { second.run(); });
   Joins joins(first.count(), second.count());
-  for (const Code e : first.leaving) {
+  for (const Code e : first.leaving()) {
     joins.join(raw.label(RawTriangulation::triangle_of(e)),
                raw.label(RawTriangulation::triangle_of(raw.twin(e))));
   }
@@ -134,8 +136,8 @@ Components label_components(RawTriangulation& raw, unsigned threads) {
   components.count = *std::ranges::max_element(number);
   components.is_open.assign(components.count, false);
   for (std::uint32_t label = 1; label < number.size(); ++label) {
-    const bool is_open = label <= first.count() ? first.is_open[label - 1]
-                                                : second.is_open[label - 1 - first.count()];
+    const bool is_open = label <= first.count() ? first.is_open()[label - 1]
+                                                : second.is_open()[label - 1 - first.count()];
     if (is_open) components.is_open[number[label] - 1] = true;
   }
   const auto renumber = [&](std::uint32_t from, std::uint32_t to, std::uint32_t before) {
