@@ -7,8 +7,9 @@
 namespace lepp {
 
 /// Runs both pieces of work, at the same time if `threads` is at least 2 and the system gives a
-/// thread. They must not write what the other one reads. Errors of either are thrown here, once
-/// both have ended.
+/// thread; else one after the other. They must not write what the other one reads.
+/// \throw  what they throw, once both have ended; if both throw, the error of the first. One after
+///         the other, the second is not started if the first throws.
 template <class First, class Second>
 void in_parallel(unsigned threads, First first, Second second) {
   std::optional<std::future<void>> other;

@@ -12,6 +12,9 @@ namespace lepp {
 template <class T>
 struct UnsetAllocator : std::allocator<T> {
   static_assert(std::is_trivially_copyable_v<T>);
+  UnsetAllocator() = default;
+  template <class U>
+  constexpr UnsetAllocator(const UnsetAllocator<U>&) noexcept {}  // converts, as allocators do
   template <class U>
   struct rebind {
     using other = UnsetAllocator<U>;

@@ -14,7 +14,7 @@ namespace lepp {
 /// \param count  labels on the triangles run from 1 to count
 /// \return by label, from 1 on; nothing: in no surface
 /// \throw  InputError  two surfaces overlap, a boundary is not closed or encloses nothing
-/// Cost    O((pieces + sets toggled) log pieces)
+/// Cost    O(triangles + (pieces + sets toggled) log pieces)
 std::vector<std::optional<SurfaceId>> regions_by_bounds(const RawTriangulation& raw,
                                                         const Pslg& pslg,
                                                         const SegmentPieces& pieces,
