@@ -47,33 +47,40 @@ void SegmentHole::fill() {
   border_.insert(border_.end(), left_.rbegin(), left_.rend());
   inside_.resize(border_.size());
 
-  // A border edge with a removed triangle beyond it has the hole on both sides.
-  for (const std::uint32_t t : removed_) raw_.set_label(t, 1);
-  std::vector<std::pair<Code, std::size_t>> doubles;
-  for (std::size_t i = 0; i < border_.size(); ++i) {
-    const Code outside = border_[i].outside;
-    if (raw_.label(RawTriangulation::triangle_of(outside)) == 1) {
-      doubles.emplace_back(border_[i].edge, i);
-    }
-  }
-  for (const std::uint32_t t : removed_) raw_.set_label(t, 0);
-  std::ranges::sort(doubles);
+  find_doubles();
 
   suspects_.clear();
   const Code back = scan(0, right_.size(), end);
   const Code along = scan(right_.size(), border_.size(), from);
   raw_.link(back, along);
   raw_.constrain(along);
-  for (const auto& [edge, i] : doubles) {  // their `outside` was an edge of a removed triangle
+  join_border();
+  raw_.restore_delaunay(suspects_);
+}
+
+// A border edge with a removed triangle beyond it has the hole on both sides.
+void SegmentHole::find_doubles() {
+  doubles_.clear();
+  for (const std::uint32_t t : removed_) raw_.set_label(t, 1);
+  for (std::size_t i = 0; i < border_.size(); ++i) {
+    if (raw_.label(RawTriangulation::triangle_of(border_[i].outside)) == 1) {
+      doubles_.emplace_back(border_[i].edge, i);
+    }
+  }
+  for (const std::uint32_t t : removed_) raw_.set_label(t, 0);
+  std::ranges::sort(doubles_);
+}
+
+void SegmentHole::join_border() {
+  for (const auto& [edge, i] : doubles_) {  // their `outside` was an edge of a removed triangle
     const auto other =
-        std::ranges::lower_bound(doubles, std::pair(border_[i].outside, std::size_t{0}));
+        std::ranges::lower_bound(doubles_, std::pair(border_[i].outside, std::size_t{0}));
     border_[i].outside = inside_[other->second];
   }
   for (std::size_t i = 0; i < border_.size(); ++i) {
     raw_.link(inside_[i], border_[i].outside);
     raw_.set_constrained(inside_[i], border_[i].constrained);
   }
-  raw_.restore_delaunay(suspects_);
 }
 
 void SegmentHole::add_border(std::vector<Border>& side, Code edge) {

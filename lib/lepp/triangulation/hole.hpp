@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "lepp/triangulation/raw_triangulation.hpp"
@@ -44,6 +46,8 @@ class SegmentHole {
   };
 
   void add_border(std::vector<Border>& side, Code edge);
+  void find_doubles();
+  void join_border();
   /// Triangulates left of border edges [begin, end), `last` being where the last of them ends.
   /// \return the edge of a new triangle that closes the half, along the segment
   Code scan(std::size_t begin, std::size_t end, VertexId last);
@@ -55,7 +59,8 @@ class SegmentHole {
   std::vector<std::uint32_t> removed_;
   std::vector<Border> left_, right_;  // both from the segment's start to its end
   std::vector<Border> border_;        // counter-clockwise around each half: right, then left
-  std::vector<Code> inside_;          // for each border edge, the new triangle's edge along it
+  std::vector<std::pair<Code, std::size_t>> doubles_;  // border edges that occur twice, and where
+  std::vector<Code> inside_;  // for each border edge, the new triangle's edge along it
   std::vector<Entry> stack_;
   std::vector<Code> suspects_;
 };
