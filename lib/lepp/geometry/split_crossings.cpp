@@ -11,6 +11,7 @@
 #include "lepp/geometry/pixel.hpp"
 #include "lepp/geometry/segment_meetings.hpp"
 #include "lepp/geometry/text.hpp"
+#include "lepp/geometry/track.hpp"
 
 namespace lepp {
 
@@ -24,21 +25,6 @@ struct HashOfPoint {
     const std::uint64_t mixed = bits(p.x) * 0x9e3779b97f4a7c15U ^ std::rotl(bits(p.y), 29);
     return static_cast<std::size_t>((mixed ^ (mixed >> 31)) * 0xbf58476d1ce4e5b9U);
   }
-};
-
-// The way from one vertex to the next that leads through a third.
-struct Detour {
-  VertexId from, to, through;
-};
-
-// An input segment and the vertices it has to pass, in order, without its ends. The lists only
-// grow, and where a vertex lies along the segment is asked of the unmoved segment: so no chain
-// folds back or crosses itself, and rounds cannot go in a circle. Where two tracks pass the four
-// corners of one pixel's width in orders that cross, one of them takes a detour.
-struct Track {
-  SegmentId segment;
-  std::vector<VertexId> passes;
-  std::vector<Detour> detours;
 };
 
 // A place where a piece is to be cut.
@@ -261,33 +247,6 @@ class Splitter {
     }
   }
 
-  // The vertices of a track from end to end, each once.
-  std::vector<VertexId> chain(const Track& track) const {
-    const Segment& s = input_.segments[track.segment.index()];
-    std::vector<VertexId> vertices{s.a};
-    vertices.insert(vertices.end(), track.passes.begin(), track.passes.end());
-    vertices.push_back(s.b);
-    for (const Detour& detour : track.detours) {
-      for (std::size_t i = 1; i < vertices.size(); ++i) {
-        if (vertices[i - 1] != detour.from || vertices[i] != detour.to) continue;
-        vertices.insert(vertices.begin() + static_cast<std::ptrdiff_t>(i), detour.through);
-        vertices = without_loops(vertices);
-        break;
-      }
-    }
-    return vertices;
-  }
-
-  static std::vector<VertexId> without_loops(const std::vector<VertexId>& vertices) {
-    std::vector<VertexId> path;
-    for (const VertexId v : vertices) {
-      const auto before = std::ranges::find(path, v);
-      if (before == path.end()) path.push_back(v);
-      else path.erase(before + 1, path.end());
-    }
-    return path;
-  }
-
   bool comes_before(const Segment& s, VertexId p, VertexId q) const {
     const int order = order_along(at(s.a), at(s.b), at(p), at(q));
     return order != 0 ? order > 0 : at(p) < at(q);
@@ -301,7 +260,7 @@ class Splitter {
       if (track.passes.empty() && track.detours.empty()) {
         work_.segments.push_back(s);
       } else {
-        const std::vector<VertexId> vertices = chain(track);
+        const std::vector<VertexId> vertices = chain(track, s);
         for (std::size_t i = 1; i < vertices.size(); ++i) {
           const VertexId a = vertices[i - 1], b = vertices[i];
           work_.segments.push_back({a, b, s.curve, parameter(s, a), parameter(s, b)});
