@@ -25,7 +25,14 @@ using namespace lepp;
 constexpr std::uint64_t seed = 7;
 constexpr int repetitions = 5;
 
-std::size_t triangles(const Pslg& pslg) { return constrained_delaunay(pslg).mesh.triangle_count(); }
+// CGAL has one thread, so it is compared with one.
+std::size_t triangles(const Pslg& pslg) {
+  return constrained_delaunay(pslg, {.threads = 1}).mesh.triangle_count();
+}
+
+std::size_t triangles_by_two(const Pslg& pslg) {
+  return constrained_delaunay(pslg, {.threads = 2}).mesh.triangle_count();
+}
 
 double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
 
@@ -49,6 +56,7 @@ void register_all() {
   };
   for (const test::Family& family : test::families()) {
     add(family, "lepp", &triangles);
+    add(family, "lepp_two_threads", &triangles_by_two);
 #ifdef LEPP_BENCH_CGAL
     add(family, "cgal", &test::cgal_constrained_delaunay);
     add(family, "cgal_points_only", &test::cgal_delaunay);
@@ -82,7 +90,7 @@ void run(Contender& contender, const Pslg& pslg) {
 // followed each other, and the median of those ratios is printed.
 void print_row(const test::Family& family, std::size_t points) {
   const Pslg pslg = family.make(points, seed);
-  std::vector<Contender> contenders{{"lepp", &triangles}};
+  std::vector<Contender> contenders{{"lepp", &triangles}, {"two threads", &triangles_by_two}};
 #ifdef LEPP_BENCH_CGAL
   contenders.push_back({"cgal", &test::cgal_constrained_delaunay});
   contenders.push_back({"cgal, points only", &test::cgal_delaunay});
@@ -106,11 +114,11 @@ void print_row(const test::Family& family, std::size_t points) {
 }
 
 int print_peers(std::size_t points) {
-  std::printf("| family | points | lepp s | points/s | MB |");
+  std::printf("| family | points | lepp s | points/s | MB | two threads s | ratio | MB |");
 #ifdef LEPP_BENCH_CGAL
   std::printf(" CGAL CDT s | ratio | MB | CGAL points only s | ratio | MB |");
 #endif
-  std::printf("\n|---|---|---|---|---|");
+  std::printf("\n|---|---|---|---|---|---|---|---|");
 #ifdef LEPP_BENCH_CGAL
   std::printf("---|---|---|---|---|---|");
 #endif
