@@ -1,6 +1,7 @@
 #include "inputs.hpp"
 
 #include <set>
+#include <system_error>
 
 #include "lepp/io/poly.hpp"
 
@@ -45,6 +46,11 @@ Pslg outline(const TriangleSoup& soup) {
 Input read_input(const std::filesystem::path& path, const GmshOptions& options) {
   static const std::set<std::string> of_gmsh{".geo", ".msh", ".msh2", ".msh4", ".gmsh"};
   const std::string kind = path.extension().string();
+  std::error_code error;  // a file that is not there is for the readers to report
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(path.string(), "is a folder, not a file",
+                     "give a .geo, .msh, .poly, .node or .ele file");
+  }
   Input input;
   if (of_gmsh.contains(kind)) {
     GmshInput gmsh = read_gmsh(path, options);

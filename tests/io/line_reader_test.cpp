@@ -51,6 +51,19 @@ TEST_CASE("numbers read as C++ reads them, with or without plus sign") {
   CHECK(line.number(4, "x") == 1e-3);
 }
 
+TEST_CASE("a decimal comma and an exponent with D are refused with a word on how to write them") {
+  const auto number = [](const LineReader& line) { line.number(0, "x of vertex 3"); };
+  for (const std::string text : {"1,0", "-1,5e3", ",5"}) {
+    CHECK(contains(error_in(text, number), "use a decimal point"));
+  }
+  for (const std::string text : {"1.0D0", "-3d-2"}) {
+    CHECK(contains(error_in(text, number), "write exponents with e"));
+  }
+  for (const std::string text : {"nan", "north,east", "D", "1.0.0"}) {
+    CHECK(contains(error_in(text, number), "correct the line"));
+  }
+}
+
 TEST_CASE("what is no number is quoted with its line") {
   const auto number = [](const LineReader& line) { line.number(0, "x of vertex 3"); };
   const auto integer = [](const LineReader& line) { line.integer(0, "the marker"); };

@@ -105,6 +105,8 @@ TEST_CASE("a broken .poly file is refused with line and number") {
   CHECK(contains(poly_error(replaced(good, "4 2 0 0", "5 2 0 0")), "vertex 4 stands where"));
   CHECK(contains(poly_error(replaced(good, "4 2 0 0", "4294967299 2 0 0")), "4294967299 vertices"));
   CHECK(contains(poly_error(replaced(good, "4 2 0 0", "4 2 0 2")), "vertex markers is 2"));
+  CHECK(contains(poly_error("4 2 4000000000 0\n0 0 0\n"), "4000000000 attributes"));
+  CHECK(contains(poly_error("4 2 0 4000000000\n0 0 0\n"), "vertex markers is 4000000000"));
   CHECK(contains(poly_error(replaced(good, "2 2 3 7", "2 2 9 7")),
                  "line 8: segment 2 refers to vertex 9, but the vertices are 1..4"));
   CHECK(contains(poly_error(replaced(good, "2 2 3 7", "2 2 3 4294967296")), "beyond 32 bits"));

@@ -31,8 +31,8 @@ TEST_CASE("files that are no text are refused with a reason") {
                                  "\xFF\xFE"
                                  "4")),
                  "UTF-16"));
-  CHECK(contains(read(folder / "."), "is a folder"));
-  CHECK(contains(read("/dev/zero"), "a device"));
+  CHECK(contains(read(folder / "."), "is a folder, not a file"));
+  CHECK(contains(read("/dev/zero"), "is a device, not a file"));
 }
 
 TEST_CASE("a file beyond the size limit is refused before it is read") {

@@ -84,6 +84,9 @@ TEST_CASE("bad input has status 2 and names file and line; nothing is written") 
   CHECK(has(made.err, "in.poly, line 3"));
   CHECK(files_in(folder.path()) == std::vector<std::string>{"in.poly"});
   CHECK(run(folder.path(), "mesh missing.poly -o out.msh").status == 2);
+  const Outcome of_folder = run(folder.path(), "mesh . -o out.msh");
+  CHECK(of_folder.status == 2);
+  CHECK(has(of_folder.err, "is a folder, not a file"));
   CHECK(run(folder.path(), "mesh in.poly -o out.stl").status == 1);
 }
 

@@ -43,6 +43,17 @@ std::string quoted(std::string_view text) {
   return "\"" + shown + (text.size() > 40 ? "...\"" : "\"");
 }
 
+// Numbers of other countries and languages: 1,5 and 1.5D0.
+const char* remedy_for_number(std::string_view text) {
+  const bool has_digit = text.find_first_of("0123456789") != std::string_view::npos;
+  const bool is_plain = text.find_first_not_of("0123456789+-.,eEdD") == std::string_view::npos;
+  if (!has_digit || !is_plain) return "correct the line";
+  if (text.find(',') != std::string_view::npos) return "use a decimal point, as in 1.5";
+  if (text.find_first_of("dD") != std::string_view::npos)
+    return "write exponents with e, as in 1.5e0";
+  return "correct the line";
+}
+
 }  // namespace
 
 std::string Label::text() const {
@@ -108,7 +119,7 @@ double LineReader::number(std::size_t i, const Label& what) const {
   }
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
     fail(what.text() + " is " + quoted(field(i)) + ", which is not a finite number",
-         "correct the line");
+         remedy_for_number(field(i)));
   }
   return value;
 }

@@ -79,7 +79,6 @@ std::size_t optional_flag(const LineReader& line, std::size_t field, const Label
 Vertices read_vertices(LineReader& line) {
   line.need("the header of the vertices");
   line.expect_fields(1, 4, "vertices, dimension, attributes, markers");
-  const std::size_t count = line.count(0, "vertices", 6);
   const std::int64_t dimension = line.fields() > 1 ? line.integer(1, "the dimension") : 2;
   if (dimension != 2) {
     line.fail("dimension " + std::to_string(dimension) + " in a file that must be 2-D",
@@ -87,6 +86,7 @@ Vertices read_vertices(LineReader& line) {
   }
   const std::size_t attributes = line.fields() > 2 ? line.count(2, "attributes", 1) : 0;
   const std::size_t markers = optional_flag(line, 3, "the number of vertex markers");
+  const std::size_t count = line.count(0, "vertices", 6);  // last: the others may be the culprit
   Vertices vertices;
   vertices.points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {

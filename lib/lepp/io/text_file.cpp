@@ -72,7 +72,9 @@ TextFile read_text_file(const std::filesystem::path& path, std::uint64_t size_li
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) cannot("open", file.name, errno);
   if (!S_ISREG(status.st_mode)) {
-    throw InputError(file.name, "is a folder or a device, not a file", "give the name of a file");
+    throw InputError(
+        file.name, S_ISDIR(status.st_mode) ? "is a folder, not a file" : "is a device, not a file",
+        "give the name of a file");
   }
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > size_limit) {

@@ -13,8 +13,8 @@ struct TextFile {
 };
 
 /// Reads a whole file.
-/// \throw InputError   no such file, a folder or a device, empty, UTF-16, a NUL byte (with its
-/// line) \throw RefusedError longer than `size_limit` bytes; nothing of that size is allocated
+/// \throw InputError   no such file, a folder or a device, empty, UTF-16, a NUL byte (with its line)
+/// \throw RefusedError longer than `size_limit` bytes; nothing of that size is allocated
 TextFile read_text_file(const std::filesystem::path& path,
                         std::uint64_t size_limit = std::uint64_t{1} << 31);
 
