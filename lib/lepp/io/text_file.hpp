@@ -13,7 +13,7 @@ struct TextFile {
 };
 
 /// Reads a whole file.
-/// \throw InputError   no such file, a folder or a device, empty, UTF-16, a NUL byte (with its line)
+/// \throw InputError   no such file, a folder or a device, empty, UTF-16, or a NUL byte (and where)
 /// \throw RefusedError longer than `size_limit` bytes; nothing of that size is allocated
 TextFile read_text_file(const std::filesystem::path& path,
                         std::uint64_t size_limit = std::uint64_t{1} << 31);
