@@ -14,6 +14,12 @@ namespace lepp {
 /// division.
 class AngleTest {
  public:
+  /// cos^2 of an angle, kept as a ratio: comparing takes no division.
+  struct SquaredCos {
+    double part, whole;
+    bool operator>(double limit) const { return part > limit * whole; }
+  };
+
   /// Bounds of 0 and 180 ask for nothing. \pre max_angle_deg >= 90
   explicit AngleTest(double min_angle_deg, double max_angle_deg = 180)
       : squared_cos_(min_angle_deg > 0 ? squared_cos(min_angle_deg - forgiven_deg) : 2),
@@ -22,10 +28,14 @@ class AngleTest {
 
   bool is_bad(Point a, Point b, Point c) const { return is_below(a, b, c) || is_above(a, b, c); }
 
-  bool is_below(Point a, Point b, Point c) const {
-    const Ratio r = squared_cos_of_smallest(a, b, c);
-    return r.part > squared_cos_ * r.whole;
+  bool is_below(Point a, Point b, Point c) const { return of_smallest(a, b, c) > squared_cos_; }
+  /// The same from the squared lengths of the sides.
+  bool is_below(double l_ab, double l_bc, double l_ca) const {
+    return of_smallest(l_ab, l_bc, l_ca) > squared_cos_;
   }
+  bool is_below(SquaredCos smallest) const { return smallest > squared_cos_; }
+  /// False if no triangle is_above() the bound.
+  bool has_largest() const { return largest_ < 180; }
   /// Exact where the bound is 90 degrees.
   bool is_above(Point a, Point b, Point c) const {
     if (largest_ >= 180) return false;
@@ -37,7 +47,7 @@ class AngleTest {
   }
   /// cos^2 of the smallest angle: from 1/4 (equilateral) to 1 (flat).
   static double badness(Point a, Point b, Point c) {
-    const Ratio r = squared_cos_of_smallest(a, b, c);
+    const SquaredCos r = of_smallest(a, b, c);
     return r.part / r.whole;
   }
   /// How far the worse of the two angles is from its bound, as squares of cosines; negative inside.
@@ -57,20 +67,20 @@ class AngleTest {
     return cosine * cosine;
   }
 
+  /// The smallest angle faces the shortest side, so that nothing cancels in the law of cosines. No
+  /// branches: which side is shortest cannot be predicted.
+  static SquaredCos of_smallest(double l_ab, double l_bc, double l_ca) {
+    const double low = std::min(l_ab, l_bc), p = std::max(l_ab, l_bc);
+    const double shortest = std::min(low, l_ca), q = std::max(low, l_ca);
+    return {0.25 * squared(p + q - shortest), p * q};
+  }
+  static SquaredCos of_smallest(Point a, Point b, Point c) {
+    return of_smallest(squared_distance(a, b), squared_distance(b, c), squared_distance(c, a));
+  }
+
  private:
   // Half of what the report forgives, so that rounding never parts the two.
   static constexpr double forgiven_deg = 5e-10;
-  struct Ratio {
-    double part, whole;
-  };
-  // The smallest angle faces the shortest edge.
-  static Ratio squared_cos_of_smallest(Point a, Point b, Point c) {
-    const Point ab = b - a, bc = c - b, ca = a - c;
-    const double l_ab = dot(ab, ab), l_bc = dot(bc, bc), l_ca = dot(ca, ca);
-    if (l_ab <= l_bc && l_ab <= l_ca) return {squared(dot(bc, ca)), l_bc * l_ca};
-    if (l_bc <= l_ca) return {squared(dot(ca, ab)), l_ca * l_ab};
-    return {squared(dot(ab, bc)), l_ab * l_bc};
-  }
   static double squared(double x) { return x * x; }
 
   bool is_above_at(Point a, Point apex, Point b, double squared_lengths) const {

@@ -32,7 +32,10 @@ bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<Trian
   if (!place) return false;
   const Point p = in_supported_range(*place);
   if (!is_good(p) || encroaches_beyond_link(p)) return false;
+  const auto first = static_cast<std::ptrdiff_t>(changed.size());
   move_vertex(mesh_, v, star_, p, changed);
+  const auto star_end = first + static_cast<std::ptrdiff_t>(star_.size());
+  changed.erase(changed.begin() + first, changed.begin() + star_end);  // they are good
   ++moves_[v.index()];
   return true;
 }
@@ -40,9 +43,8 @@ bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<Trian
 bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed) {
   star_.link.clear();
   for (const auto& rim : cavity.rim()) star_.add(mesh_, rim.inside);
-  if (is_good(p) && !encroaches_link(p)) {
+  if (has_good_triangles(p) && !encroaches_link(p)) {
     cavity.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
-    changed.insert(changed.end(), cavity.triangles().begin(), cavity.triangles().end());
     return true;
   }
   const auto place = place_.find(star_, p);
@@ -50,13 +52,12 @@ bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed)
   const Point q = in_supported_range(*place);
   if (!is_good(q) || encroaches_beyond_link(q)) return false;
   cavity.fill(mesh_, q, {VertexOrigin::Kind::interior, 0});
-  std::vector<HalfEdge> suspects;
+  stack_.clear();
   for (const TriangleId t : cavity.triangles()) {
-    changed.push_back(t);
-    suspects.push_back({t, 0});
-    suspects.push_back({t, 1});  // one spoke of each triangle
+    stack_.push_back({t, 0});
+    stack_.push_back({t, 1});  // one spoke of each triangle
   }
-  restore_delaunay(mesh_, suspects, &changed);
+  restore_delaunay(mesh_, stack_, &changed);
   return true;
 }
 
@@ -86,13 +87,21 @@ std::optional<Point> GoodStar::place_for_both(HalfEdge e) {
   return p;
 }
 
-bool GoodStar::is_good(Point p) const {
-  if (!sees_link(star_, p)) return false;
+bool GoodStar::is_good(Point p) const { return sees_link(star_, p) && has_good_triangles(p); }
+
+bool GoodStar::has_good_triangles(Point p) const {
   const SurfaceId region = mesh_.region(star_.link.front().edge.triangle);
-  for (std::size_t i = 0; i < star_.size(); ++i) {
-    const Point a = star_.from(i), b = star_.to(i);
-    if (angle_.is_bad(p, a, b) || squared_distance(a, p) < floor_ * floor_) return false;
+  const double least = floor_ * floor_;
+  Point a = star_.link.back().from;
+  double to_a = squared_distance(p, a);
+  for (const auto& side : star_.link) {
+    const Point b = side.from;
+    const double to_b = squared_distance(p, b);
+    if (angle_.is_below(to_a, squared_distance(a, b), to_b) || to_b < least) return false;
+    if (angle_.has_largest() && angle_.is_above(p, a, b)) return false;
     if (size_.is_too_large(p, a, b, region)) return false;
+    a = b;
+    to_a = to_b;
   }
   return true;
 }

@@ -20,9 +20,11 @@ class GoodStar {
 
   /// Moves corner `corner` of `t`, an interior Steiner point, if there is a good place for it in
   /// its star and it has not been moved too often. \return whether it was moved
+  /// \param changed  triangles that may be bad afterwards are appended: flips made them
   bool move_corner(TriangleId t, std::uint32_t corner, std::vector<TriangleId>& changed);
 
   /// Inserts a vertex where the star that replaces `cavity` is good, if there is such a place.
+  /// \param changed  triangles that may be bad afterwards are appended: flips made them
   /// \pre cavity.find() returned true for `p`, nothing changed since
   bool insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed);
 
@@ -33,6 +35,7 @@ class GoodStar {
  private:
   bool is_interior_star(TriangleId t, std::uint32_t corner, Star& star) const;
   bool is_good(Point p) const;
+  bool has_good_triangles(Point p) const;  // they are counter-clockwise
   bool encroaches_link(Point p) const;
   bool encroaches_beyond_link(Point p);
 

@@ -9,6 +9,7 @@
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/refine/clean_up.hpp"
 #include "lepp/refine/clear_around.hpp"
+#include "lepp/refine/size_test.hpp"
 #include "lepp/refine/terminal_loop.hpp"
 #include "lepp/refine/unified_loop.hpp"
 #include "lepp/triangulation/encroached.hpp"
@@ -41,6 +42,7 @@ double wanted_area(const Mesh& mesh, const RefineOptions& options, TriangleId t)
 // Triangles that the sizes alone will need: as many equilateral ones of that size as fit.
 double predicted_triangles(const Mesh& mesh, const RefineOptions& options) {
   double predicted = 0;
+  if (!SizeTest(mesh, options).any()) return predicted;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     const auto [a, b, c] = mesh.corners(t);
@@ -70,6 +72,7 @@ class Bounds {
       : options_(options),
         quality_(quality),
         floor_(default_size_floor(mesh)),
+        any_size_(SizeTest(mesh, options).any()),
         angle_(0, options.max_angle_deg) {}
 
   bool has_large_angle(const Mesh& mesh, TriangleId t) const {
@@ -81,6 +84,7 @@ class Bounds {
 
   // How many times too large, squared lengths or areas; at most 1 if it is not.
   double excess(const Mesh& mesh, TriangleId t) const {
+    if (!any_size_) return 0;
     const auto [a, b, c] = mesh.corners(t);
     const double longest =
         std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
@@ -108,6 +112,7 @@ class Bounds {
   const RefineOptions& options_;
   const QualityIndicator& quality_;
   double floor_;
+  bool any_size_;
   AngleTest angle_;
 };
 
@@ -122,6 +127,7 @@ bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
 // Triangles as they were at the start, to know again those that no insertion touched.
 class Untouched {
  public:
+  Untouched() = default;  // none
   Untouched(const Mesh& mesh, std::span<const TriangleId> targets)
       : is_target_(mesh.triangle_count(), false) {
     for (const TriangleId t : targets) is_target_[t.index()] = true;
@@ -139,8 +145,9 @@ class Untouched {
   std::vector<std::array<VertexId, 3>> before_;
 };
 
-RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule obtuse,
-                             const Untouched& untouched, Reason otherwise) {
+template <class Poor>
+RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, const Poor& poor,
+                             ObtuseRule obtuse, const Untouched& untouched, Reason otherwise) {
   RefineReport result;
   result.goal_reached = true;
   std::optional<InputReasons> input;  // made for the first triangle that needs it
@@ -150,7 +157,7 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, ObtuseRule 
     const bool too_large = bounds.excess(mesh, t) > 1;
     const bool angle_left = bounds.has_large_angle(mesh, t) || (obtuse == ObtuseRule::split_first &&
                                                                 faces_obtuse_constrained(mesh, t));
-    if (!too_large && !angle_left && !bounds.poor(mesh, t)) continue;
+    if (!too_large && !angle_left && !poor(t)) continue;
     if (!input) input.emplace(mesh);
     Reason reason = otherwise;
     if (angle_left) {  // no input angle forces a large one: cutting the edge across removes it
@@ -208,7 +215,8 @@ RefineReport improve(Mesh& mesh, std::span<const TriangleId> targets,
                     [&](const Mesh& m, TriangleId t) { return bounds.judge(m, t); });
   for (const TriangleId t : targets) loop.add_target(t);
   loop.run();
-  RefineReport report = list_unfinished(mesh, bounds, options.obtuse, untouched,
+  const auto poor = [&](TriangleId t) { return bounds.poor(mesh, t); };
+  RefineReport report = list_unfinished(mesh, bounds, poor, options.obtuse, untouched,
                                         loop.stopped().value_or(Reason::size_floor));
   report.steiner_points = mesh.vertex_count() - before;
   return report;
@@ -282,18 +290,18 @@ RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
 
 RefineReport refine(Mesh& mesh, const RefineOptions& options) {
   check(options);
-  const auto targets = all_triangles(mesh);
-  if (is_off_centre(options.placement)) {
-    return refine_unified(mesh, options);
-  }
-  return improve(mesh, targets, smallest_angle_indicator(options.min_angle_deg), options);
+  if (is_off_centre(options.placement)) return refine_unified(mesh, options);
+  return improve(mesh, all_triangles(mesh), smallest_angle_indicator(options.min_angle_deg), options);
 }
 
 RefineReport judge(const Mesh& mesh, const RefineOptions& options, Reason otherwise) {
   const QualityIndicator quality = smallest_angle_indicator(options.min_angle_deg);
   const Bounds bounds(mesh, options, quality);
-  const Untouched untouched(mesh, all_triangles(mesh));
-  return list_unfinished(mesh, bounds, options.obtuse, untouched, otherwise);
+  const auto poor = [&](TriangleId t) {
+    const auto [a, b, c] = mesh.corners(t);
+    return -AngleTest::badness(a, b, c) < quality.epsilon;
+  };
+  return list_unfinished(mesh, bounds, poor, options.obtuse, Untouched(), otherwise);
 }
 
 }  // namespace lepp

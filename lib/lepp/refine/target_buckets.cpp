@@ -14,14 +14,16 @@ TargetBuckets::TargetBuckets(const Mesh& mesh, const RefineOptions& options)
 }
 
 void TargetBuckets::add(const Mesh& mesh, TriangleId t) {
-  const auto [a, b, c] = mesh.corners(t);
   if (size_.is_too_large(t)) {
     buckets_.front().push_back({t, mesh.vertices(t)});
     first_ = 0;
-  } else if (angle_.is_below(a, b, c)) {
-    const double badness = AngleTest::badness(a, b, c);
+    return;
+  }
+  const auto [a, b, c] = mesh.corners(t);
+  const AngleTest::SquaredCos smallest = AngleTest::of_smallest(a, b, c);
+  if (angle_.is_below(smallest)) {
     std::size_t bucket = 1;
-    for (const double limit : limits_) bucket += badness < limit;
+    for (const double limit : limits_) bucket += smallest > limit ? 0 : 1;
     buckets_[bucket].push_back({t, mesh.vertices(t)});
     first_ = std::min(first_, bucket);
   } else if (angle_.is_above(a, b, c)) {

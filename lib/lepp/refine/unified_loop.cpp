@@ -18,6 +18,12 @@ namespace {
 // So many triangles of the start are looked at together: their neighbourhood stays in the cache.
 constexpr std::size_t seeds_at_once = 16384;
 
+// Cutting a curve changes the angle at which it meets others.
+bool has_bent_curves(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.entities().curves,
+                             [](const CurveEntity& c) { return !is_straight(c.geometry); });
+}
+
 }  // namespace
 
 UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t budget)
@@ -29,7 +35,8 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
       off_centre_(options.min_angle_deg),
       good_star_(mesh, options, floor_),
       targets_(mesh, options),
-      any_sharp_(segments_meet_sharply(mesh)) {}
+      any_sharp_(segments_meet_sharply(mesh)),
+      can_have_fans_(any_sharp_ || has_bent_curves(mesh)) {}
 
 void UnifiedLoop::run() {
   next_seed_ = 0;
@@ -184,7 +191,8 @@ double UnifiedLoop::worst_of_star(Point p) const {
 
 // Cuts a constrained edge; false if that is not possible.
 bool UnifiedLoop::cut(HalfEdge e) {
-  const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
+  const ConstrainedSplit split = can_have_fans_ ? split_constrained_edge(mesh_, e, floor_)
+                                                : split_halfway(mesh_, e, floor_);
   changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
   if (encroached_) encroached_->update(mesh_, split.changed);
   return !split.vertices.empty();

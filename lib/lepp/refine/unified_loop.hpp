@@ -55,7 +55,8 @@ class UnifiedLoop {
   OffCentre off_centre_;
   GoodStar good_star_;
   TargetBuckets targets_;
-  bool any_sharp_;  // without sharp vertices nothing is seditious
+  bool any_sharp_;      // without sharp vertices nothing is seditious
+  bool can_have_fans_;  // constrained edges that are cut at common radii
   std::optional<EncroachedEdges> encroached_;
   std::size_t next_seed_ = 0, seeds_ = 0;  // triangles of the start not yet looked at
   Cavity cavity_;

@@ -45,7 +45,7 @@ VertexId Cavity::fill(Mesh& mesh, Point p, VertexOrigin origin) {
   const std::size_t old = triangles_.size();
   for (std::size_t i = 0; i < rim_.size(); ++i) {
     const VertexId a = rim_[i].origin, b = destination(i);
-    if (i < old) mesh.set_vertices(triangles_[i], v, a, b);
+    if (i < old) mesh.replace_vertices(triangles_[i], v, a, b);
     else triangles_.push_back(mesh.add_triangle(v, a, b, region));
   }
   for (std::size_t i = 0; i < rim_.size(); ++i) {
@@ -55,7 +55,9 @@ VertexId Cavity::fill(Mesh& mesh, Point p, VertexOrigin origin) {
     mesh.set_constrained_flag({t, 1}, false);
     mesh.set_constrained_flag({t, 2}, false);
   }
-  for (const TriangleId t : triangles_) mesh.refresh_leaving(t);
+  // Each corner of the rim is where one of its edges starts.
+  for (const TriangleId t : triangles_) mesh.refresh_leaving({t, 0});
+  mesh.refresh_leaving({triangles_.front(), 2});
   return v;
 }
 

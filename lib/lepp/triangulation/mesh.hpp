@@ -160,6 +160,12 @@ class Mesh {
   /// Gives `t` new corners; edges keep their links and flags until link() changes them.
   /// Call refresh_leaving() for the triangles that took over corners of `t`, once all are set.
   void set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c);
+  /// The same without the repair of leaving(v).
+  void replace_vertices(TriangleId t, VertexId a, VertexId b, VertexId c) {
+    triangles_[t.index()].vertices = {a, b, c};
+  }
+  /// Makes `e` leaving(origin(e)) if what is there starts elsewhere now.
+  void refresh_leaving(HalfEdge e);
   /// Repairs leaving(v) for corners of `t` whose half-edge no longer starts at them.
   void refresh_leaving(TriangleId t);
   /// Removes `t`, which no link and no leaving() refers to: the last triangle takes its id.
@@ -213,18 +219,18 @@ class Mesh {
 // The innermost steps of every local operation.
 
 inline void Mesh::set_vertices(TriangleId t, VertexId a, VertexId b, VertexId c) {
-  triangles_[t.index()].vertices = {a, b, c};
+  replace_vertices(t, a, b, c);
   refresh_leaving(t);
 }
 
+inline void Mesh::refresh_leaving(HalfEdge e) {
+  const VertexId v = origin(e);
+  std::uint32_t& leaving = leaving_[v.index()];
+  if (leaving == nothing || origin(half_edge(leaving)) != v) leaving = code(e);
+}
+
 inline void Mesh::refresh_leaving(TriangleId t) {
-  for (std::uint32_t corner = 0; corner < 3; ++corner) {
-    const VertexId v = vertex(t, corner);
-    const std::uint32_t e = leaving_[v.index()];
-    if (e == nothing || origin(half_edge(e)) != v) {
-      leaving_[v.index()] = code({t, previous_corner(corner)});
-    }
-  }
+  for (std::uint32_t i = 0; i < 3; ++i) refresh_leaving({t, i});
 }
 
 inline void Mesh::unlink(HalfEdge e) {
