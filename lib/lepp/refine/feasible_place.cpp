@@ -33,6 +33,7 @@ std::optional<Point> FeasiblePlace::find(const Star& star, Point near) {
   const Point center =
       midpoint(shortest.a, shortest.b) + (0.5 * cos_ / sin_) * left_of(shortest.b - shortest.a);
   const double r = 0.5 * std::sqrt(shortest.squared_length) / sin_;
+  if (any_edge_out_of_reach(center, r)) return std::nullopt;
   polygon_[0] = center + Point{-r, -r};
   polygon_[1] = center + Point{r, -r};
   polygon_[2] = center + Point{r, r};
@@ -86,6 +87,21 @@ bool FeasiblePlace::any_corner_impossible() const {
     }
   }
   return false;
+}
+
+// All places lie in the disc of the shortest edge: the half-planes and the disc of each other edge
+// must meet it.
+bool FeasiblePlace::any_edge_out_of_reach(Point center, double r) const {
+  return std::any_of(edges_.begin() + 1, edges_.end(), [&](const Edge& e) {
+    const Point d = e.b - e.a, n = left_of(d), to_a = center - e.a;
+    const double along = dot(d, to_a), beside = cos_ * dot(n, to_a);
+    const double length = std::sqrt(e.squared_length), reach = -r * length;
+    if (beside - sin_ * along < reach) return true;
+    if (beside + sin_ * (along - e.squared_length) < reach) return true;
+    const double between = squared_distance(center, midpoint(e.a, e.b) + (0.5 * cos_ / sin_) * n);
+    const double both = r + 0.5 * length / sin_;
+    return between > both * both;
+  });
 }
 
 bool FeasiblePlace::cut_by_lines(const Edge& e) {

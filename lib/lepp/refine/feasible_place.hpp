@@ -41,6 +41,7 @@ class FeasiblePlace {
   /// Puts the edges in the order that finds out soonest when nothing is left.
   bool set_edges(const Star& star, Point near);
   bool any_corner_impossible() const;
+  bool any_edge_out_of_reach(Point center, double r) const;
   // Keeps the points with dot(normal, p) >= least; false if none is left.
   bool cut(Point normal, double least);
   bool cut_by_lines(const Edge& e);

@@ -42,7 +42,9 @@ bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<Trian
 
 bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed) {
   star_.link.clear();
-  for (const auto& rim : cavity.rim()) star_.add(mesh_, rim.inside);
+  for (const auto& rim : cavity.rim()) {
+    star_.link.push_back({rim.inside, rim.from, rim.constrained});
+  }
   if (has_good_triangles(p) && !encroaches_link(p)) {
     cavity.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
     return true;

@@ -183,8 +183,7 @@ double UnifiedLoop::worst_of_star(Point p) const {
     if (rim[i].constrained && would_encroach(mesh_, rim[i].inside, p)) {
       return std::numeric_limits<double>::infinity();
     }
-    worst = std::max(worst, angle_.violation(p, mesh_.point(rim[i].origin),
-                                             mesh_.point(cavity_.destination(i))));
+    worst = std::max(worst, angle_.violation(p, rim[i].from, cavity_.to(i)));
   }
   return worst;
 }
@@ -200,7 +199,7 @@ bool UnifiedLoop::cut(HalfEdge e) {
 
 bool UnifiedLoop::is_too_close(Point p) const {
   return std::ranges::any_of(cavity_.rim(), [&](const Cavity::RimEdge& e) {
-    return squared_distance(mesh_.point(e.origin), p) < floor_ * floor_;
+    return squared_distance(e.from, p) < floor_ * floor_;
   });
 }
 

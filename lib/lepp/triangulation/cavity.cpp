@@ -7,7 +7,7 @@ namespace lepp {
 bool Cavity::find(const Mesh& mesh, TriangleId t, Point p) {
   if (!grow(mesh, t, p)) return false;
   for (std::size_t i = 0; i < rim_.size(); ++i) {
-    if (orient2d(p, mesh.point(rim_[i].origin), mesh.point(destination(i))) <= 0) return false;
+    if (orient2d(p, rim_[i].from, to(i)) <= 0) return false;
   }
   return true;
 }
@@ -23,8 +23,8 @@ bool Cavity::grow(const Mesh& mesh, TriangleId t, Point p) {
     const HalfEdge e = stack_.back();
     stack_.pop_back();
     const bool constrained = mesh.is_constrained(e);
+    const HalfEdge f = mesh.twin(e).value_or(e);
     if (!constrained) {
-      const HalfEdge f = *mesh.twin(e);
       const auto [a, b, c] = mesh.corners(f.triangle);
       if (incircle(a, b, c, p) > 0) {
         if (triangles_.size() == mesh.triangle_count()) return false;
@@ -34,7 +34,8 @@ bool Cavity::grow(const Mesh& mesh, TriangleId t, Point p) {
         continue;
       }
     }
-    rim_.push_back({e, mesh.origin(e), OuterEdge(mesh, e), constrained});
+    const VertexId origin = mesh.origin(e);
+    rim_.push_back({e, f, mesh.point(origin), origin, constrained});
   }
   return true;
 }
@@ -50,7 +51,9 @@ VertexId Cavity::fill(Mesh& mesh, Point p, VertexOrigin origin) {
   }
   for (std::size_t i = 0; i < rim_.size(); ++i) {
     const TriangleId t = triangles_[i], next = triangles_[i + 1 == rim_.size() ? 0 : i + 1];
-    rim_[i].outer.attach(mesh, {t, 0});
+    if (rim_[i].outside == rim_[i].inside) mesh.unlink({t, 0});
+    else mesh.link({t, 0}, rim_[i].outside);
+    mesh.set_constrained_flag({t, 0}, rim_[i].constrained);
     mesh.link({t, 1}, {next, 2});  // b -> v, v -> b
     mesh.set_constrained_flag({t, 1}, false);
     mesh.set_constrained_flag({t, 2}, false);

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lepp/triangulation/mesh.hpp"
-#include "lepp/triangulation/outer_edge.hpp"
 
 namespace lepp {
 
@@ -21,9 +20,10 @@ namespace lepp {
 class Cavity {
  public:
   struct RimEdge {
-    HalfEdge inside;  ///< seen from the cavity, before fill()
+    HalfEdge inside;   ///< seen from the cavity, before fill()
+    HalfEdge outside;  ///< seen from beyond; `inside` again on the boundary of the mesh
+    Point from;        ///< where it starts: the place of `origin`
     VertexId origin;
-    OuterEdge outer;
     bool constrained;
   };
 
@@ -36,6 +36,9 @@ class Cavity {
   std::span<const RimEdge> rim() const { return rim_; }
   VertexId destination(std::size_t rim_edge) const {
     return rim_[rim_edge + 1 == rim_.size() ? 0 : rim_edge + 1].origin;
+  }
+  Point to(std::size_t rim_edge) const {
+    return rim_[rim_edge + 1 == rim_.size() ? 0 : rim_edge + 1].from;
   }
   std::span<const TriangleId> triangles() const { return triangles_; }
 
