@@ -90,10 +90,10 @@ bool CleanUp::is_needless_inside(const Star& star) {
 bool CleanUp::is_good_fan(std::span<const Point> polygon, std::size_t from,
                           SurfaceId region) const {
   const std::size_t n = polygon.size();
-  const auto at = [&](std::size_t i) { return polygon[(from + i) % n]; };
+  const auto at = [&](std::size_t i) { return polygon[from + i < n ? from + i : from + i - n]; };
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const Point a = at(0), b = at(i), c = at(i + 1);
-    if (orient2d(a, b, c) <= 0 || angle_.is_bad(a, b, c)) return false;
+    if (angle_.is_bad(a, b, c) || orient2d(a, b, c) <= 0) return false;
     if (size_.is_too_large(a, b, c, region)) return false;
   }
   return true;
@@ -101,7 +101,6 @@ bool CleanUp::is_good_fan(std::span<const Point> polygon, std::size_t from,
 
 // The two sides of v's segment, each a polygon from one neighbour on the segment to the other.
 bool CleanUp::is_needless_on_segment(VertexId v) {
-  if (!is_removable(removability(mesh_, v))) return false;
   struct Side {
     SurfaceId region;
     std::vector<Point> points;
@@ -119,15 +118,18 @@ bool CleanUp::is_needless_on_segment(VertexId v) {
   if (sides.empty()) return false;
   auto& last = sides.back().points;
   last.insert(last.end(), first.begin(), first.end());
-  return std::ranges::all_of(sides, [&](const Side& side) {
-    const auto& points = side.points;
-    if (points.size() < 3) return false;
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-      if (is_obtuse(points.front(), points[i], points.back())) return false;
-    }
-    return is_good_fan(points, 0, side.region) ||
-           is_good_fan(points, points.size() - 1, side.region);
-  });
+  return std::ranges::all_of(sides,
+                             [&](const Side& side) {
+                               const auto& points = side.points;
+                               if (points.size() < 3) return false;
+                               for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+                                 if (is_obtuse(points.front(), points[i], points.back()))
+                                   return false;
+                               }
+                               return is_good_fan(points, 0, side.region) ||
+                                      is_good_fan(points, points.size() - 1, side.region);
+                             }) &&
+         is_removable(removability(mesh_, v));
 }
 
 bool CleanUp::merge_with_neighbour(VertexId v) {

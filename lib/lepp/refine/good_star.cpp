@@ -14,6 +14,13 @@ namespace {
 // One move may undo another, so that only a limit makes an end certain; few get near it.
 constexpr std::uint8_t most_moves = 20;
 
+// A star of n triangles has an angle of at most 360 / n at its center. When that is less than a
+// third above the bound, hardly any has a good place, and only Effort::best looks for one.
+std::size_t most_triangles(const RefineOptions& options) {
+  const double bound = options.min_angle_deg, wanted = options.effort == Effort::best ? 1 : 4.0 / 3;
+  return bound < 1 ? 360 : static_cast<std::size_t>(360 / (wanted * bound));
+}
+
 }  // namespace
 
 GoodStar::GoodStar(Mesh& mesh, const RefineOptions& options, double floor)
@@ -22,6 +29,7 @@ GoodStar::GoodStar(Mesh& mesh, const RefineOptions& options, double floor)
       encroaching_allowed_(options.obtuse == ObtuseRule::ignore),
       angle_(options.min_angle_deg, options.max_angle_deg),
       size_(mesh, options),
+      most_triangles_(most_triangles(options)),
       place_(options.min_angle_deg, options.max_angle_deg) {}
 
 bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<TriangleId>& changed) {
@@ -49,6 +57,7 @@ bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed)
     cavity.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
     return true;
   }
+  if (star_.size() > most_triangles_) return false;
   const auto place = place_.find(star_, p);
   if (!place) return false;
   const Point q = in_supported_range(*place);
@@ -65,7 +74,7 @@ bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed)
 
 bool GoodStar::is_interior_star(TriangleId t, std::uint32_t corner, Star& star) const {
   return mesh_.origin_of(mesh_.vertex(t, corner)).kind == VertexOrigin::Kind::interior &&
-         find_star(mesh_, t, corner, star);
+         find_star(mesh_, t, corner, star, most_triangles_);
 }
 
 //         x          e = v -> w. Without the edges at v and w, the link of v leads from x to y and

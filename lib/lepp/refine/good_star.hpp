@@ -44,6 +44,7 @@ class GoodStar {
   bool encroaching_allowed_;
   AngleTest angle_;
   SizeTest size_;
+  std::size_t most_triangles_;
   FeasiblePlace place_;
   Star star_, part_;
   std::vector<HalfEdge> stack_;

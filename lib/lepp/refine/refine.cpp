@@ -263,7 +263,8 @@ RefineReport refine_once(Mesh& mesh, const RefineOptions& options) {
   });
   if (options.effort != Effort::fast && options.min_angle_deg > 0 && !stopped) {
     CleanUp(mesh, options, default_size_floor(mesh)).run();
-    report = run_loop(mesh, options, budget);
+    report = judge(mesh, options, Reason::size_floor);
+    if (!report.unfinished.empty()) report = run_loop(mesh, options, budget);
   }
   report.steiner_points = mesh.vertex_count() - before;
   return report;
@@ -291,7 +292,8 @@ RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
 RefineReport refine(Mesh& mesh, const RefineOptions& options) {
   check(options);
   if (is_off_centre(options.placement)) return refine_unified(mesh, options);
-  return improve(mesh, all_triangles(mesh), smallest_angle_indicator(options.min_angle_deg), options);
+  return improve(mesh, all_triangles(mesh), smallest_angle_indicator(options.min_angle_deg),
+                 options);
 }
 
 RefineReport judge(const Mesh& mesh, const RefineOptions& options, Reason otherwise) {

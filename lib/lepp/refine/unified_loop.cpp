@@ -190,8 +190,8 @@ double UnifiedLoop::worst_of_star(Point p) const {
 
 // Cuts a constrained edge; false if that is not possible.
 bool UnifiedLoop::cut(HalfEdge e) {
-  const ConstrainedSplit split = can_have_fans_ ? split_constrained_edge(mesh_, e, floor_)
-                                                : split_halfway(mesh_, e, floor_);
+  const ConstrainedSplit split =
+      can_have_fans_ ? split_constrained_edge(mesh_, e, floor_) : split_halfway(mesh_, e, floor_);
   changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
   if (encroached_) encroached_->update(mesh_, split.changed);
   return !split.vertices.empty();

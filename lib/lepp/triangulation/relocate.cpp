@@ -5,12 +5,12 @@
 
 namespace lepp {
 
-bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star) {
+bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star, std::size_t most) {
   star.link.clear();
   HalfEdge outer{t, corner};
   do {
     const HalfEdge spoke = next_edge(outer);  // arrives at the center
-    if (mesh.is_constrained(spoke)) return false;
+    if (mesh.is_constrained(spoke) || star.size() == most) return false;
     star.add(mesh, outer);
     outer = next_edge(*mesh.twin(spoke));
   } while (outer.triangle != t);

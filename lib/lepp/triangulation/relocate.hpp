@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "lepp/triangulation/mesh.hpp"
@@ -25,8 +27,9 @@ struct Star {
 };
 
 /// Makes `star` the star of corner `corner` of `t`, from `t` on; it keeps its memory.
-/// \return false if an edge at that vertex is constrained
-bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star);
+/// \return false if an edge at that vertex is constrained, or it has more than `most` of them
+bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star,
+               std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// True if every triangle of the star is counter-clockwise (exact) with its center at `p`.
 bool sees_link(const Star& star, Point p);
