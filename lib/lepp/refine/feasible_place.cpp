@@ -61,8 +61,9 @@ bool FeasiblePlace::set_edges(const Star& star, Point near) {
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Point a = star.from(i) - near, b = star.to(i) - near;
     edges_.push_back({a, b, squared_distance(a, b), star.link[i].constrained});
+    if (i > 0 && is_corner_impossible(edges_[i - 1], edges_[i])) return false;
   }
-  if (any_corner_impossible()) return false;
+  if (is_corner_impossible(edges_.back(), edges_.front())) return false;
   const auto by_length = [](const Edge& e, const Edge& f) {
     return e.squared_length < f.squared_length;
   };
@@ -75,18 +76,12 @@ bool FeasiblePlace::set_edges(const Star& star, Point near) {
 //                  and, where no angle may be obtuse, at most 180 degrees;
 //      /           e is ab, f is bc, the center lies on their left
 //     b ---- c
-bool FeasiblePlace::any_corner_impossible() const {
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge &e = edges_[i], &f = edges_[i + 1 == edges_.size() ? 0 : i + 1];
-    const Point to_a = e.a - e.b, to_c = f.b - f.a;
-    const double d = dot(to_a, to_c);
-    if (no_obtuse_ && cross(to_c, to_a) < 0) return true;
-    if (d > 0 && d * d > squared_cos_of_twice_ * (e.squared_length * f.squared_length) &&
-        cross(to_c, to_a) > 0) {
-      return true;
-    }
-  }
-  return false;
+bool FeasiblePlace::is_corner_impossible(const Edge& e, const Edge& f) const {
+  const Point to_a = e.a - e.b, to_c = f.b - f.a;
+  const double d = dot(to_a, to_c);
+  if (no_obtuse_ && cross(to_c, to_a) < 0) return true;
+  return d > 0 && d * d > squared_cos_of_twice_ * (e.squared_length * f.squared_length) &&
+         cross(to_c, to_a) > 0;
 }
 
 // All places lie in the disc of the shortest edge: the half-planes and the disc of each other edge

@@ -40,7 +40,7 @@ class FeasiblePlace {
 
   /// Puts the edges in the order that finds out soonest when nothing is left.
   bool set_edges(const Star& star, Point near);
-  bool any_corner_impossible() const;
+  bool is_corner_impossible(const Edge& e, const Edge& f) const;
   bool any_edge_out_of_reach(Point center, double r) const;
   // Keeps the points with dot(normal, p) >= least; false if none is left.
   bool cut(Point normal, double least);

@@ -301,7 +301,7 @@ RefineReport judge(const Mesh& mesh, const RefineOptions& options, Reason otherw
   const Bounds bounds(mesh, options, quality);
   const auto poor = [&](TriangleId t) {
     const auto [a, b, c] = mesh.corners(t);
-    return -AngleTest::badness(a, b, c) < quality.epsilon;
+    return AngleTest::of_smallest(a, b, c) > -quality.epsilon;
   };
   return list_unfinished(mesh, bounds, poor, options.obtuse, Untouched(), otherwise);
 }
