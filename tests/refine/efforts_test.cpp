@@ -127,3 +127,15 @@ TEST_CASE("vertices and edges of the input stay, with every effort") {
     }
   }
 }
+
+// The point that serves an obtuse target best may lie so far off that the target stays.
+TEST_CASE("a target that outlives an insertion comes up again: no obtuse triangle is left") {
+  std::mt19937_64 random(43);
+  RefineOptions options;
+  options.max_angle_deg = 90;
+  Mesh mesh = constrained_delaunay(random_points(random, 400)).mesh;
+  const RefineReport report = refine(mesh, options);
+  CHECK(report.goal_reached);
+  CHECK(check(mesh, options, report) == "valid");
+  CHECK(measure(mesh).max_angle_deg <= 90 + 1e-9);
+}

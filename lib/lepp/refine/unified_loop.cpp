@@ -103,11 +103,12 @@ bool UnifiedLoop::is_at_feature(TriangleId t) const {
 }
 
 void UnifiedLoop::improve(TriangleId t) {
-  const auto vertices = mesh_.vertices(t);
   if (move_a_corner(t)) return;
+  const auto vertices = mesh_.vertices(t);
+  const std::size_t before = mesh_.vertex_count();
   insert_near(t);
-  // Nothing changed: the size floor. It is dropped until a neighbour changes.
-  if (!changed_.empty() && mesh_.vertices(t) == vertices) targets_.add(mesh_, t);
+  // No new vertex: the size floor. The target is dropped until a neighbour changes.
+  if (mesh_.vertex_count() > before && mesh_.vertices(t) == vertices) targets_.add(mesh_, t);
 }
 
 bool UnifiedLoop::move_a_corner(TriangleId t) {
