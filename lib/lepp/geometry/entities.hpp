@@ -42,6 +42,7 @@ struct SurfaceEntity {
   std::vector<GroupId> groups;
   double attribute = 0;  ///< the regional attribute of a .poly file, else the tag
   double max_area = std::numeric_limits<double>::infinity();  ///< wanted triangle area, > 0
+  double max_edge = std::numeric_limits<double>::infinity();  ///< longest edge wanted, > 0
 };
 
 /// Everything the user gave a name or a number. Segments, edges and triangles point here, so no

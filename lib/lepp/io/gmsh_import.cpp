@@ -83,6 +83,7 @@ GmshInput read_script(const fs::path& file, const PrivateFolder& folder,
   const bool own_points = script.sets_sizes || options.gmsh_sizes;
   const GmshRecord record = run(folder, {private_script_name, own_points, file.string()}, options);
   GmshInput input = pslg_from_gmsh(record, script, file.string(), options);
+  input.pieces_have_sizes = own_points;
   put_in_front(record.warnings, input.warnings);
   put_in_front(std::move(script.warnings), input.warnings);
   return input;

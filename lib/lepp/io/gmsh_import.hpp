@@ -29,7 +29,9 @@ struct GmshOptions {
 struct GmshInput {
   Pslg pslg;  ///< the geometry; of a .msh file its outline, interfaces and lines
   std::optional<TriangleSoup> triangles;  ///< only of a .msh file
-  std::vector<std::string> warnings;      ///< one sentence each, ready to print
+  /// The pieces of the boundary are Gmsh's, as long as the file's sizes ask for.
+  bool pieces_have_sizes = false;
+  std::vector<std::string> warnings;  ///< one sentence each, ready to print
 };
 
 /// Reads a .geo script, or a .msh file of any version that Gmsh 4.8.4 reads, through the separate

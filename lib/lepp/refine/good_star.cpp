@@ -48,6 +48,15 @@ bool GoodStar::move_corner(TriangleId t, std::uint32_t corner, std::vector<Trian
   return true;
 }
 
+bool GoodStar::move_corner_to(TriangleId t, std::uint32_t corner, Point p,
+                              std::vector<TriangleId>& changed) {
+  if (!is_interior_star(t, corner, star_)) return false;
+  const Point q = in_supported_range(p);
+  if (!is_good(q) || encroaches_beyond_link(q)) return false;
+  move_vertex(mesh_, mesh_.vertex(t, corner), star_, q, changed);
+  return true;
+}
+
 bool GoodStar::insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed) {
   star_.link.clear();
   for (const auto& rim : cavity.rim()) {

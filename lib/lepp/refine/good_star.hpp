@@ -23,6 +23,10 @@ class GoodStar {
   /// \param changed  triangles that may be bad afterwards are appended: flips made them
   bool move_corner(TriangleId t, std::uint32_t corner, std::vector<TriangleId>& changed);
 
+  /// Moves it to `p` if that is a good place in its star, however often it has been moved.
+  bool move_corner_to(TriangleId t, std::uint32_t corner, Point p,
+                      std::vector<TriangleId>& changed);
+
   /// Inserts a vertex where the star that replaces `cavity` is good, if there is such a place.
   /// \param changed  triangles that may be bad afterwards are appended: flips made them
   /// \pre cavity.find() returned true for `p`, nothing changed since

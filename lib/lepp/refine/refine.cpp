@@ -9,6 +9,7 @@
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/refine/clean_up.hpp"
 #include "lepp/refine/clear_around.hpp"
+#include "lepp/refine/even_out.hpp"
 #include "lepp/refine/size_test.hpp"
 #include "lepp/refine/terminal_loop.hpp"
 #include "lepp/refine/unified_loop.hpp"
@@ -35,19 +36,16 @@ void check(const RefineOptions& options) {
   if (!(options.max_area > 0)) refuse("maximum area", options.max_area, "an area above 0");
 }
 
-double wanted_area(const Mesh& mesh, const RefineOptions& options, TriangleId t) {
-  return std::min(options.max_area, mesh.entities()[mesh.region(t)].max_area);
-}
-
 // Triangles that the sizes alone will need: as many equilateral ones of that size as fit.
 double predicted_triangles(const Mesh& mesh, const RefineOptions& options) {
+  const SizeTest size(mesh, options);
+  if (!size.any()) return 0;
   double predicted = 0;
   if (!SizeTest(mesh, options).any()) return predicted;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     const auto [a, b, c] = mesh.corners(t);
-    const double by_edge = std::sqrt(3.0) / 4 * options.max_edge * options.max_edge;
-    predicted += signed_area(a, b, c) / std::min(by_edge, wanted_area(mesh, options, t));
+    predicted += size.predicted_triangles(a, b, c, mesh.region(t));
   }
   return predicted;
 }
@@ -58,7 +56,7 @@ std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
     throw RefusedError("size bounds",
                        "they need about " + to_text(std::round(by_size)) +
                            " triangles, more than " + to_text(largest_predicted_size),
-                       "ask for a larger --max-edge or --max-area");
+                       "ask for larger sizes (--max-edge, --max-area)");
   }
   if (options.max_vertices > 0) return options.max_vertices;
   const double budget = 50 * (static_cast<double>(mesh.vertex_count()) + 1000 + by_size);
@@ -69,11 +67,10 @@ std::size_t vertex_budget(const Mesh& mesh, const RefineOptions& options) {
 class Bounds {
  public:
   Bounds(const Mesh& mesh, const RefineOptions& options, const QualityIndicator& quality)
-      : options_(options),
-        quality_(quality),
+      : quality_(quality),
         floor_(default_size_floor(mesh)),
-        any_size_(SizeTest(mesh, options).any()),
-        angle_(0, options.max_angle_deg) {}
+        angle_(0, options.max_angle_deg),
+        size_(mesh, options) {}
 
   bool has_large_angle(const Mesh& mesh, TriangleId t) const {
     const auto [a, b, c] = mesh.corners(t);
@@ -84,13 +81,9 @@ class Bounds {
 
   // How many times too large, squared lengths or areas; at most 1 if it is not.
   double excess(const Mesh& mesh, TriangleId t) const {
-    if (!any_size_) return 0;
+    if (!size_.any()) return 0;
     const auto [a, b, c] = mesh.corners(t);
-    const double longest =
-        std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
-    const double area = signed_area(a, b, c);
-    return std::max(longest / (options_.max_edge * options_.max_edge),
-                    area / wanted_area(mesh, options_, t));
+    return size_.excess(a, b, c, mesh.region(t));
   }
 
   // Too large first, largest first; then poor quality, poorest first. A poor shape that no
@@ -109,11 +102,11 @@ class Bounds {
   }
 
  private:
-  const RefineOptions& options_;
   const QualityIndicator& quality_;
   double floor_;
   bool any_size_;
   AngleTest angle_;
+  SizeTest size_;
 };
 
 bool faces_obtuse_constrained(const Mesh& mesh, TriangleId t) {
@@ -263,6 +256,7 @@ RefineReport refine_once(Mesh& mesh, const RefineOptions& options) {
   });
   if (options.effort != Effort::fast && options.min_angle_deg > 0 && !stopped) {
     CleanUp(mesh, options, default_size_floor(mesh)).run();
+    if (SizeTest(mesh, options).any()) EvenOut(mesh, options, default_size_floor(mesh)).run();
     report = judge(mesh, options, Reason::size_floor);
     if (!report.unfinished.empty()) report = run_loop(mesh, options, budget);
   }

@@ -33,6 +33,9 @@ struct RefineOptions {
   double max_angle_deg = 180;
   double max_edge = std::numeric_limits<double>::infinity();  ///< longest edge wanted, > 0
   double max_area = std::numeric_limits<double>::infinity();  ///< largest triangle wanted, > 0
+  /// The longest edge wanted at a point, > 0 (infinite: as long as it likes); null asks for nothing.
+  /// A SizeField keeps it from changing faster than a grading.
+  std::function<double(Point)> size = {};
   Placement placement = Placement::offcentre;
   Effort effort = Effort::normal;
   ObtuseRule obtuse = ObtuseRule::split_first;
@@ -51,7 +54,7 @@ struct RefineReport {
 
 /// Raises every angle to `min_angle_deg`, brings every size below its bound and, with
 /// ObtuseRule::split_first, leaves no angle above 90 degrees opposite a constrained edge.
-/// Per-region areas are those of the mesh's surface entities.
+/// Sizes by region are those of the mesh's surface entities; the smallest size asked for counts.
 /// \pre     `mesh` satisfies M1 to M6
 /// \return  always, with a mesh that satisfies M1 to M6, and a reason per unfinished triangle
 /// \throw   InputError on options out of range; RefusedError when the sizes alone predict more

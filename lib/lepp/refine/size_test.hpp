@@ -1,7 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/refine.hpp"
@@ -9,14 +9,12 @@
 
 namespace lepp {
 
-/// Tests triangles against the sizes that are asked for: longest edge, area, area by region.
+/// Tests triangles against the sizes that are asked for: longest edge and area, of all, by region,
+/// and the longest edge by a field. The field is asked at the corners and at the centroid; the
+/// least of the four counts.
 class SizeTest {
  public:
-  SizeTest(const Mesh& mesh, const RefineOptions& options) : mesh_(mesh), options_(options) {
-    const auto has_limit = [](const SurfaceEntity& s) { return std::isfinite(s.max_area); };
-    any_ = std::isfinite(options.max_edge) || std::isfinite(options.max_area) ||
-           std::ranges::any_of(mesh.entities().surfaces, has_limit);
-  }
+  SizeTest(const Mesh& mesh, const RefineOptions& options);
 
   /// False if no triangle can be too large.
   bool any() const { return any_; }
@@ -28,16 +26,37 @@ class SizeTest {
   /// The same for a triangle to come.
   bool is_too_large(Point a, Point b, Point c, SurfaceId region) const {
     if (!any_) return false;
+    const Bound limit = bound(region);
     const double longest =
         std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
-    const double area = std::min(options_.max_area, mesh_.entities()[region].max_area);
-    return longest > options_.max_edge * options_.max_edge || signed_area(a, b, c) > area;
+    if (longest > limit.squared_edge || signed_area(a, b, c) > limit.area) return true;
+    return options_.size && longest > squared_size_in(a, b, c);
   }
+  /// How many times too large, squared lengths or areas; at most 1 if it is not.
+  double excess(Point a, Point b, Point c, SurfaceId region) const;
+
+  /// The edge of the equilateral triangles to be made around `p`: small enough that triangles a
+  /// little off that shape still keep the bounds. Infinite where no size is asked for.
+  double wanted_edge(Point p, SurfaceId region) const;
+
+  /// How many triangles of the wanted size triangle abc will need.
+  double predicted_triangles(Point a, Point b, Point c, SurfaceId region) const;
 
  private:
+  struct Bound {
+    double squared_edge, area;
+  };
+  Bound bound(SurfaceId region) const {
+    return region.index() < by_region_.size() ? by_region_[region.index()] : everywhere_;
+  }
+  double field_at(Point p) const;
+  double squared_size_in(Point a, Point b, Point c) const;
+
   const Mesh& mesh_;
   const RefineOptions& options_;
   bool any_ = false;
+  Bound everywhere_;
+  std::vector<Bound> by_region_;
 };
 
 }  // namespace lepp

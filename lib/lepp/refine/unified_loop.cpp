@@ -39,6 +39,7 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
       can_have_fans_(any_sharp_ || has_bent_curves(mesh)) {}
 
 void UnifiedLoop::run() {
+  cut_evenly(mesh_, targets_.size(), floor_, budget_);
   next_seed_ = 0;
   seeds_ = mesh_.triangle_count();
   if (options_.obtuse == ObtuseRule::split_first) encroached_.emplace(mesh_);
@@ -121,8 +122,11 @@ bool UnifiedLoop::move_a_corner(TriangleId t) {
 
 void UnifiedLoop::insert_near(TriangleId t) {
   const auto [a, b, c] = mesh_.corners(t);
-  const Point p = in_supported_range(off_centre_(a, b, c));
-  const bool only_obtuse = !targets_.is_too_large(t) && !targets_.has_small_angle(mesh_, t);
+  Point p = off_centre_(a, b, c);
+  const bool too_large = targets_.is_too_large(t);
+  if (too_large) p = targets_.size_point()(t, p);
+  p = in_supported_range(p);
+  const bool only_obtuse = !too_large && !targets_.has_small_angle(mesh_, t);
   if ((only_obtuse || options_.placement == Placement::best) && insert_best_of(t, p)) return;
   const WayEnd end = straight_walk(mesh_, t, p);
   if (end.barrier) {
@@ -131,7 +135,8 @@ void UnifiedLoop::insert_near(TriangleId t) {
   }
   if (!contains(mesh_, end.triangle, p)) return;
   const bool possible = cavity_.find(mesh_, end.triangle, p);
-  if (possible && options_.min_angle_deg > 0 && good_star_.insert(cavity_, p, changed_)) return;
+  const bool may_be_better = options_.min_angle_deg > 0 && !too_large;
+  if (possible && may_be_better && good_star_.insert(cavity_, p, changed_)) return;
   for (const auto& rim : cavity_.rim()) {
     if (rim.constrained && would_encroach(mesh_, rim.inside, p) && cut(rim.inside)) return;
   }
