@@ -54,7 +54,8 @@ Input read_input(const std::filesystem::path& path, const GmshOptions& options) 
   Input input;
   if (of_gmsh.contains(kind)) {
     GmshInput gmsh = read_gmsh(path, options);
-    return {std::move(gmsh.pslg), std::move(gmsh.triangles), std::move(gmsh.warnings)};
+    return {std::move(gmsh.pslg), std::move(gmsh.triangles), gmsh.pieces_have_sizes,
+            std::move(gmsh.warnings)};
   }
   if (kind == ".poly" || kind == ".node") {
     input.pslg = read_poly(path);

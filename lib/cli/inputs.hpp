@@ -15,6 +15,7 @@ namespace lepp::cli {
 struct Input {
   Pslg pslg;                              ///< of a mesh file: its outline, interfaces and lines
   std::optional<TriangleSoup> triangles;  ///< of mesh files only
+  bool pieces_have_sizes = false;         ///< as GmshInput::pieces_have_sizes
   std::vector<std::string> warnings;
 };
 

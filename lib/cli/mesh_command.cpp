@@ -75,15 +75,6 @@ CLI::Validator number_from(double least, double most) {
           ""};
 }
 
-CLI::Validator above_zero() {
-  return {[](const std::string& text) {
-            double value = 0;
-            const bool fits = CLI::detail::lexical_cast(text, value) && value > 0;
-            return fits ? std::string() : std::string("give a number above 0");
-          },
-          ""};
-}
-
 CLI::Validator count() {
   return {[](const std::string& text) {
             const bool fits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
@@ -100,8 +91,7 @@ void add_quality_options(CLI::App& app, MeshCommand& command) {
   app.add_option("--max-angle", refine.max_angle_deg,
                  "largest angle of any triangle, 90 to 180 degrees; 90: no obtuse triangle at all")
       ->check(number_from(90, 180));
-  app.add_option("--max-edge", refine.max_edge, "longest edge wanted")->check(above_zero());
-  app.add_option("--max-area", refine.max_area, "largest triangle wanted")->check(above_zero());
+  add_size_options(app, command.mesh.sizes, refine);
   app.add_option("--max-vertices", refine.max_vertices,
                  "budget of vertices (default: 50 times what input and sizes suggest)")
       ->check(count());
@@ -154,6 +144,7 @@ void add_mesh_command(CLI::App& app, int& status) {
       "Examples:\n"
       "  lepp mesh plate.geo -o plate.msh\n"
       "  lepp mesh plate.geo -o plate.msh --max-edge 0.05 --json report.json\n"
+      "  lepp mesh plate.geo -o plate.msh --size-file wells.txt --region-edge copper=0.1\n"
       "  lepp mesh old.msh -o better.msh --min-angle 28\n"
       "  lepp mesh plate.poly -o plate.ele --method paper");
   mesh.callback([command, &status] { status = run(*command); });

@@ -27,7 +27,9 @@ double timed(Work work) {
 
 class Pipeline {
  public:
-  Pipeline(const Input& input, const MeshOptions& options) : input_(input), options_(options) {}
+  Pipeline(const Input& input, const MeshOptions& options) : input_(input), options_(options) {
+    options_.refine.size = size_field(options.sizes, input);
+  }
 
   Meshed run() {
     report_.warnings = input_.warnings;
@@ -60,9 +62,11 @@ class Pipeline {
            options_.refine.max_angle_deg < 180;
   }
   bool asks_for_refinement() const {
-    const auto has_limit = [](const SurfaceEntity& s) { return std::isfinite(s.max_area); };
+    const auto has_limit = [](const SurfaceEntity& s) {
+      return std::isfinite(s.max_area) || std::isfinite(s.max_edge);
+    };
     return asks_for_angles() || std::isfinite(options_.refine.max_edge) ||
-           std::isfinite(options_.refine.max_area) ||
+           std::isfinite(options_.refine.max_area) || options_.refine.size ||
            std::ranges::any_of(mesh_.entities().surfaces, has_limit);
   }
   bool is_improvement() const { return input_.triangles && !options_.remesh; }
@@ -80,6 +84,9 @@ class Pipeline {
           timed([&] { made = constrained_delaunay(input_.pslg, options_.triangulation); });
     }
     mesh_ = std::move(made.mesh);
+    Entities entities = mesh_.entities();
+    set_region_sizes(options_.sizes, entities);
+    mesh_.set_entities(std::move(entities));
     const auto& found = made.report.warnings;
     report_.warnings.insert(report_.warnings.end(), found.begin(), found.end());
   }
@@ -166,7 +173,7 @@ class Pipeline {
   }
 
   const Input& input_;
-  const MeshOptions& options_;
+  MeshOptions options_;
   Mesh mesh_;
   RefineReport refined_;
   RunReport report_;

@@ -5,6 +5,7 @@
 #include "inputs.hpp"
 #include "lepp/io/report.hpp"
 #include "lepp/refine/refine.hpp"
+#include "sizes.hpp"
 
 namespace lepp::cli {
 
@@ -15,6 +16,7 @@ enum class Method {
 
 struct MeshOptions {
   RefineOptions refine;
+  SizeOptions sizes;
   Method method = Method::unified;
   bool nonobtuse = true;
   bool certify = false;  ///< the Voronoi boxes, even if no bound on angles is asked for

@@ -32,6 +32,7 @@ add_library(lepp_io
   lepp/io/poly_write.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
+  lepp/io/size_file.cpp
   lepp/io/text_file.cpp
   lepp/io/vtu.cpp)
 add_library(lepp::io ALIAS lepp_io)

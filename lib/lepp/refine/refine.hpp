@@ -33,8 +33,8 @@ struct RefineOptions {
   double max_angle_deg = 180;
   double max_edge = std::numeric_limits<double>::infinity();  ///< longest edge wanted, > 0
   double max_area = std::numeric_limits<double>::infinity();  ///< largest triangle wanted, > 0
-  /// The longest edge wanted at a point, > 0 (infinite: as long as it likes); null asks for nothing.
-  /// A SizeField keeps it from changing faster than a grading.
+  /// The longest edge wanted at a point, > 0 (infinite: as long as it likes); null asks for
+  /// nothing. A SizeField keeps it from changing faster than a grading.
   std::function<double(Point)> size = {};
   Placement placement = Placement::offcentre;
   Effort effort = Effort::normal;

@@ -18,9 +18,7 @@ constexpr double longest_base = 1.5;
 // Parts of constrained edges may be so much longer than wanted.
 constexpr double longest_part = 1.1;
 
-Point centroid(Point a, Point b, Point c) {
-  return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-}
+Point centroid(Point a, Point b, Point c) { return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}; }
 
 // Into how many equal parts `e` must be cut.
 double parts(const Mesh& mesh, const SizeTest& size, HalfEdge e) {
@@ -85,8 +83,7 @@ void cut_evenly(Mesh& mesh, const SizeTest& size, double floor, std::size_t budg
     if (!e) continue;
     const double n = parts(mesh, size, *e);
     if (n < 2 || ends_sharply(mesh, *e)) continue;
-    const double length =
-        std::sqrt(squared_distance(mesh.point(ends.a), mesh.point(ends.b)));
+    const double length = std::sqrt(squared_distance(mesh.point(ends.a), mesh.point(ends.b)));
     const ConstrainedSplit split =
         std::fmod(n, 2) == 0
             ? split_halfway(mesh, *e, floor)

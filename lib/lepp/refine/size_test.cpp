@@ -1,7 +1,9 @@
 #include "lepp/refine/size_test.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
@@ -14,7 +16,16 @@ const double equilateral = std::sqrt(3.0) / 4;  // area at edge 1
 
 // How much smaller than the bounds triangles are made. With areas nine triangles of ten then keep
 // the bound at once, and the mesh has about as many triangles as the bound suggests.
-constexpr double share_of_area = 0.75, share_of_edge = 0.8;
+constexpr double share_of_area = 0.75, share_of_edge = 0.7;
+
+// Answers of the field are remembered in a table of 2^15 places.
+constexpr int memory_bits = 15;
+
+std::size_t place_in_memory(Point p) {
+  const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x), y = std::bit_cast<std::uint64_t>(p.y);
+  constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio: spreads all bits
+  return static_cast<std::size_t>(((x * odd ^ y) * odd) >> (64 - memory_bits));
+}
 
 struct Corners {
   Point a, b, c;
@@ -33,13 +44,20 @@ SizeTest::SizeTest(const Mesh& mesh, const RefineOptions& options)
     by_region_.push_back({std::min(everywhere_.squared_edge, s.max_edge * s.max_edge),
                           std::min(everywhere_.area, s.max_area)});
   }
+  if (options.size) answers_.resize(std::size_t{1} << memory_bits);
   any_ = options.size || is_limit(everywhere_) || std::ranges::any_of(by_region_, is_limit);
 }
 
-double SizeTest::field_at(Point p) const {
+double SizeTest::asked_field(Point p) const {
   const double size = options_.size(p);
   if (size > 0) return size;
   throw InputError("size field at " + to_text(p), "is " + to_text(size), "give lengths above 0");
+}
+
+double SizeTest::field_at(Point p) const {
+  Answer& answer = answers_[place_in_memory(p)];
+  if (!(answer.at == p) || !(answer.size > 0)) answer = {p, asked_field(p)};
+  return answer.size;
 }
 
 double SizeTest::squared_size_in(Point a, Point b, Point c) const {
@@ -76,8 +94,8 @@ double SizeTest::predicted_triangles(Point a, Point b, Point c, SurfaceId region
   for (std::size_t i = 0; i < parts.size(); ++i) {  // ends: by the number of parts
     const auto [p, q, r] = parts[i];
     const Point x = midpoint(q, r), y = midpoint(r, p), z = midpoint(p, q);
-    const double sizes[] = {field_at(p), field_at(q), field_at(r), field_at(x), field_at(y),
-                            field_at(z)};
+    const double sizes[] = {field_at(p), field_at(q), field_at(r),
+                            field_at(x), field_at(y), field_at(z)};
     const auto [least, most] = std::ranges::minmax(sizes);
     if (most > 1.5 * least && parts.size() < most_parts) {
       for (const Corners& part : {Corners{p, z, y}, {z, q, x}, {y, x, r}, {x, y, z}}) {

@@ -50,6 +50,7 @@ class SizeTest {
     return region.index() < by_region_.size() ? by_region_[region.index()] : everywhere_;
   }
   double field_at(Point p) const;
+  double asked_field(Point p) const;
   double squared_size_in(Point a, Point b, Point c) const;
 
   const Mesh& mesh_;
@@ -57,6 +58,12 @@ class SizeTest {
   bool any_ = false;
   Bound everywhere_;
   std::vector<Bound> by_region_;
+  // What the field said lately: a vertex is asked about with each triangle around it.
+  struct Answer {
+    Point at;
+    double size;
+  };
+  mutable std::vector<Answer> answers_;
 };
 
 }  // namespace lepp

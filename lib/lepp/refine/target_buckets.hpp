@@ -16,7 +16,8 @@ namespace lepp {
 /// those whose only fault is too large an angle. Worst
 /// bucket first, last in first out inside it, so the next target mostly lies beside the last
 /// change. Before all others come those that are too large and on the front (SizePoint), first in
-/// first out, so that the front advances evenly. Entries are dropped when their triangle has changed by the time they come up.
+/// first out, so that the front advances evenly. Entries are dropped when their triangle has
+/// changed by the time they come up.
 class TargetBuckets {
  public:
   TargetBuckets(const Mesh& mesh, const RefineOptions& options);

@@ -1,0 +1,86 @@
+#include "sizes.hpp"
+
+#include <algorithm>
+
+#include "lepp/geometry/text.hpp"
+#include "lepp/io/size_file.hpp"
+
+namespace lepp::cli {
+
+namespace {
+
+CLI::Validator above_zero() {
+  return {[](const std::string& text) {
+            double value = 0;
+            const bool fits = CLI::detail::lexical_cast(text, value) && value > 0;
+            return fits ? std::string() : std::string("give a number above 0");
+          },
+          ""};
+}
+
+bool is_called(const Entities& entities, const SurfaceEntity& surface, const std::string& name) {
+  if (std::to_string(surface.tag) == name) return true;
+  return std::ranges::any_of(surface.groups, [&](GroupId g) { return entities[g].name == name; });
+}
+
+void set_bound(const std::string& option, const std::string& text, double SurfaceEntity::*bound,
+               Entities& entities) {
+  const std::size_t sign = text.rfind('=');
+  double value = 0;
+  if (sign == text.npos || !CLI::detail::lexical_cast(text.substr(sign + 1), value) ||
+      !(value > 0)) {
+    throw InputError(option + " " + text, "is not REGION=VALUE with a value above 0",
+                     "write, for instance, " + option + " 2=0.05");
+  }
+  const std::string name = text.substr(0, sign);
+  bool found = false;
+  for (SurfaceEntity& surface : entities.surfaces) {
+    if (!is_called(entities, surface, name)) continue;
+    surface.*bound = std::min(surface.*bound, value);
+    found = true;
+  }
+  if (!found) {
+    throw InputError(option + " " + text, "names no region",
+                     "give the number of a surface or the name of a physical group; lepp info "
+                     "lists them");
+  }
+}
+
+}  // namespace
+
+void add_size_options(CLI::App& command, SizeOptions& sizes, RefineOptions& refine) {
+  command.add_option("--max-edge", refine.max_edge, "longest edge wanted")->check(above_zero());
+  command.add_option("--max-area", refine.max_area, "largest triangle wanted")->check(above_zero());
+  command.add_option("--region-edge", sizes.region_edges,
+                     "REGION=LENGTH: longest edge in a region (surface number or group name)");
+  command.add_option("--region-area", sizes.region_areas, "REGION=AREA: largest triangle in it");
+  command.add_option("--size-file", sizes.file,
+                     "points with sizes, lines 'x y h': edges near (x, y) at most h long");
+  command
+      .add_option("--grading", sizes.grading,
+                  "how fast sizes of points grow with the distance from them")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+std::function<double(Point)> size_field(const SizeOptions& sizes, const Input& input) {
+  std::vector<SizeSource> sources;
+  if (input.pieces_have_sizes) sources = sizes_of_segments(input.pslg);
+  if (!sizes.file.empty()) {
+    const auto more = read_size_file(sizes.file);
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+  if (sources.empty()) return {};
+  return SizeField(std::move(sources), sizes.grading);
+}
+
+void set_region_sizes(const SizeOptions& sizes, Entities& entities) {
+  for (const std::string& text : sizes.region_edges) {
+    set_bound("--region-edge", text, &SurfaceEntity::max_edge, entities);
+  }
+  for (const std::string& text : sizes.region_areas) {
+    set_bound("--region-area", text, &SurfaceEntity::max_area, entities);
+  }
+}
+
+}  // namespace lepp::cli

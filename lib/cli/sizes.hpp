@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "inputs.hpp"
+#include "lepp/refine/refine.hpp"
+
+namespace lepp::cli {
+
+/// What the command line says about sizes that differ from place to place.
+struct SizeOptions {
+  std::filesystem::path file;  ///< points with sizes; empty: none
+  double grading = 0.5;
+  std::vector<std::string> region_edges, region_areas;  ///< "REGION=VALUE"
+};
+
+void add_size_options(CLI::App& command, SizeOptions& sizes, RefineOptions& refine);
+
+/// The field of the size file and, where the input's boundary was cut as its sizes ask for, of the
+/// boundary's pieces; null if there is neither.
+std::function<double(Point)> size_field(const SizeOptions& sizes, const Input& input);
+
+/// Writes sizes by region into the surfaces they name, by tag or by the name of a physical group.
+/// \throw InputError  for a region that does not exist, or a value that is no number above 0
+void set_region_sizes(const SizeOptions& sizes, Entities& entities);
+
+}  // namespace lepp::cli
