@@ -34,18 +34,19 @@ struct Corners {
 }  // namespace
 
 SizeTest::SizeTest(const Mesh& mesh, const RefineOptions& options)
-    : mesh_(mesh),
-      options_(options),
-      everywhere_{options.max_edge * options.max_edge, options.max_area} {
-  const auto is_limit = [](const Bound& b) {
-    return std::isfinite(b.squared_edge) || std::isfinite(b.area);
-  };
+    : mesh_(mesh), options_(options), everywhere_(make_bound(options.max_edge, options.max_area)) {
   for (const SurfaceEntity& s : mesh.entities().surfaces) {
-    by_region_.push_back({std::min(everywhere_.squared_edge, s.max_edge * s.max_edge),
-                          std::min(everywhere_.area, s.max_area)});
+    by_region_.push_back(
+        make_bound(std::min(options.max_edge, s.max_edge), std::min(options.max_area, s.max_area)));
   }
-  if (options.size) answers_.resize(std::size_t{1} << memory_bits);
+  const auto is_limit = [](const Bound& b) { return std::isfinite(b.wanted_edge); };
   any_ = options.size || is_limit(everywhere_) || std::ranges::any_of(by_region_, is_limit);
+  if (options.size) answers_.resize(std::size_t{1} << memory_bits);
+}
+
+SizeTest::Bound SizeTest::make_bound(double edge, double area) {
+  const double by_area = std::sqrt(share_of_area * area / equilateral);
+  return {edge * edge, area, std::min(share_of_edge * edge, by_area)};
 }
 
 double SizeTest::asked_field(Point p) const {
@@ -67,7 +68,7 @@ double SizeTest::squared_size_in(Point a, Point b, Point c) const {
 }
 
 double SizeTest::excess(Point a, Point b, Point c, SurfaceId region) const {
-  const Bound limit = bound(region);
+  const Bound& limit = bound(region);
   const double longest =
       std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
   double edge = limit.squared_edge;
@@ -76,16 +77,14 @@ double SizeTest::excess(Point a, Point b, Point c, SurfaceId region) const {
 }
 
 double SizeTest::wanted_edge(Point p, SurfaceId region) const {
-  const Bound limit = bound(region);
-  double edge = std::sqrt(limit.squared_edge);
-  if (options_.size) edge = std::min(edge, field_at(p));
-  return std::min(share_of_edge * edge, std::sqrt(share_of_area * limit.area / equilateral));
+  const double wanted = bound(region).wanted_edge;
+  return options_.size ? std::min(wanted, share_of_edge * field_at(p)) : wanted;
 }
 
 // The field is integrated over equal parts of the triangle, smaller and smaller until the size
 // varies little in each.
 double SizeTest::predicted_triangles(Point a, Point b, Point c, SurfaceId region) const {
-  const Bound limit = bound(region);
+  const Bound& limit = bound(region);
   const double area = std::min(limit.area, equilateral * limit.squared_edge);
   if (!options_.size) return signed_area(a, b, c) / area;
   constexpr std::size_t most_parts = 4096;

@@ -26,7 +26,7 @@ class SizeTest {
   /// The same for a triangle to come.
   bool is_too_large(Point a, Point b, Point c, SurfaceId region) const {
     if (!any_) return false;
-    const Bound limit = bound(region);
+    const Bound& limit = bound(region);
     const double longest =
         std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
     if (longest > limit.squared_edge || signed_area(a, b, c) > limit.area) return true;
@@ -45,8 +45,10 @@ class SizeTest {
  private:
   struct Bound {
     double squared_edge, area;
+    double wanted_edge;  // as both ask for
   };
-  Bound bound(SurfaceId region) const {
+  static Bound make_bound(double edge, double area);
+  const Bound& bound(SurfaceId region) const {
     return region.index() < by_region_.size() ? by_region_[region.index()] : everywhere_;
   }
   double field_at(Point p) const;
