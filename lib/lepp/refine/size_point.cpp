@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+#include <vector>
 
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
@@ -65,7 +65,8 @@ Point SizePoint::operator()(TriangleId t, Point off_centre) const {
   return middle + height / far * (off_centre - middle);
 }
 
-void cut_evenly(Mesh& mesh, const SizeTest& size, double floor, std::size_t budget) {
+void cut_evenly(Mesh& mesh, const SizeTest& size, double floor,
+                const std::function<bool()>& may_go_on) {
   if (!size.any()) return;
   std::vector<Ends> todo;
   for (std::size_t i = mesh.triangle_count(); i-- > 0;) {
@@ -76,7 +77,7 @@ void cut_evenly(Mesh& mesh, const SizeTest& size, double floor, std::size_t budg
       todo.push_back({mesh.origin(e), mesh.destination(e)});
     }
   }
-  while (!todo.empty() && mesh.vertex_count() < budget) {  // ends: by the floor
+  while (!todo.empty() && may_go_on()) {  // ends: by the floor
     const Ends ends = todo.back();
     todo.pop_back();
     const auto e = mesh.find_edge(ends.a, ends.b);

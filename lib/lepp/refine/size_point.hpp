@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <functional>
 
 #include "lepp/refine/size_test.hpp"
 #include "lepp/triangulation/mesh.hpp"
@@ -31,7 +31,8 @@ class SizePoint {
 };
 
 /// Cuts every constrained edge that is longer than wanted into equal parts, on its curve if it has
-/// one, until `budget` vertices are there. Where edges meet sharply, refinement cuts them later.
-void cut_evenly(Mesh& mesh, const SizeTest& size, double floor, std::size_t budget);
+/// one, as long as `may_go_on` returns true. Where edges meet sharply, refinement cuts them later.
+void cut_evenly(Mesh& mesh, const SizeTest& size, double floor,
+                const std::function<bool()>& may_go_on);
 
 }  // namespace lepp

@@ -39,7 +39,7 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
       can_have_fans_(any_sharp_ || has_bent_curves(mesh)) {}
 
 void UnifiedLoop::run() {
-  cut_evenly(mesh_, targets_.size(), floor_, budget_);
+  cut_evenly(mesh_, targets_.size(), floor_, [&] { return may_go_on(); });
   next_seed_ = 0;
   seeds_ = mesh_.triangle_count();
   if (options_.obtuse == ObtuseRule::split_first) encroached_.emplace(mesh_);
