@@ -10,7 +10,7 @@ namespace lepp {
 
 namespace {
 
-constexpr int most_rounds = 12;
+constexpr int most_rounds = 12, few_rounds = 3;
 // A round that removes less than this part of the vertices is the last.
 constexpr std::size_t next_to_nothing = 1000;
 
@@ -32,16 +32,14 @@ CleanUp::CleanUp(Mesh& mesh, const RefineOptions& options, double floor)
       options_(options),
       angle_(options.min_angle_deg, options.max_angle_deg),
       size_(mesh, options),
+      merges_(options.effort == Effort::best || options.max_angle_deg < 180),
       good_star_(mesh, options, floor) {}
 
 void CleanUp::run() {
-  if (options_.effort == Effort::normal) {
-    remove_needless();
-    return;
-  }
-  for (int round = 0; round < most_rounds; ++round) {
+  const int rounds = options_.effort == Effort::best ? most_rounds : merges_ ? few_rounds : 1;
+  for (int round = 1;; ++round) {
     const std::size_t removed = remove_needless();
-    if (removed * next_to_nothing < mesh_.vertex_count()) return;
+    if (round == rounds || removed * next_to_nothing < mesh_.vertex_count()) return;
     relax();
   }
 }
@@ -54,7 +52,7 @@ std::size_t CleanUp::remove_needless() {
     if (i >= mesh_.vertex_count() || mesh_.is_input(v)) continue;
     if (!may_go_on()) break;
     if (can_do_without(v)) remove_vertex(mesh_, v);
-    else if (options_.effort == Effort::best) merge_with_neighbour(v);
+    else if (merges_) merge_with_neighbour(v);
   }
   return before - mesh_.vertex_count();
 }

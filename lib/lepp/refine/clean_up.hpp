@@ -16,8 +16,9 @@ class CleanUp {
   CleanUp(Mesh& mesh, const RefineOptions& options, double floor);
 
   /// Looks at each Steiner point once, the last one first, and removes it if the triangles that
-  /// fill its star are good. With Effort::best it does more: else one vertex takes the place of it
-  /// and a neighbour, if it has a good place; then all vertices move into the middle of their good
+  /// fill its star are good. With Effort::best it does more, and some of it where there is a
+  /// largest angle, which leaves more to merge: else one vertex takes the place of it and a
+  /// neighbour, if it has a good place; then all vertices move into the middle of their good
   /// places, and it begins again, until a round brings next to nothing.
   /// The mesh stays constrained Delaunay, and no triangle becomes bad.
   void run();
@@ -37,6 +38,7 @@ class CleanUp {
   const RefineOptions& options_;
   AngleTest angle_;
   SizeTest size_;
+  bool merges_;
   GoodStar good_star_;
   Star star_;
   std::vector<Point> polygon_;

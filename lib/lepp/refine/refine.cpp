@@ -104,7 +104,6 @@ class Bounds {
  private:
   const QualityIndicator& quality_;
   double floor_;
-  bool any_size_;
   AngleTest angle_;
   SizeTest size_;
 };

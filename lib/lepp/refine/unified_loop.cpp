@@ -113,7 +113,8 @@ void UnifiedLoop::improve(TriangleId t) {
 }
 
 bool UnifiedLoop::move_a_corner(TriangleId t) {
-  if (options_.effort == Effort::fast || targets_.is_too_large(t)) return false;
+  const bool without = options_.effort == Effort::fast && options_.max_angle_deg >= 180;
+  if (without || targets_.is_too_large(t)) return false;
   for (std::uint32_t i = 0; i < 3; ++i) {
     if (good_star_.move_corner(t, i, changed_)) return true;
   }
