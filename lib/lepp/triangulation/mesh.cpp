@@ -88,9 +88,10 @@ void Mesh::own_edges(std::span<const SegmentId> again) {
   std::vector<SegmentId> by_edge(again.begin(), again.end());
   std::ranges::stable_sort(by_edge, {}, edge_of);
   for (auto begin = by_edge.cbegin(); begin != by_edge.cend();) {
-    const auto [a, b] = edge_of(*begin);
-    const auto end = std::find_if(begin, by_edge.cend(),
-                                  [&](SegmentId s) { return edge_of(s) != std::pair(a, b); });
+    const auto edge = edge_of(*begin);
+    const auto end =
+        std::find_if(begin, by_edge.cend(), [&](SegmentId s) { return edge_of(s) != edge; });
+    const auto [a, b] = edge;
     std::vector<SegmentId> owners{SegmentId(find_record(a, b)->segments.value)};  // the first one
     owners.insert(owners.end(), begin, end);
     share_edge(a, b, std::move(owners));
