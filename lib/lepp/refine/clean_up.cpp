@@ -10,7 +10,7 @@ namespace lepp {
 
 namespace {
 
-constexpr int most_rounds = 12, few_rounds = 3;
+constexpr int most_rounds = 12, few_rounds = 4;
 // A round that removes less than this part of the vertices is the last.
 constexpr std::size_t next_to_nothing = 1000;
 
