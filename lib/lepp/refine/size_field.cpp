@@ -51,10 +51,10 @@ SizeField::SizeField(std::vector<SizeSource> sources, double grading) : grading_
 
 // The root splits the longer side of the box. Every range is visited after the one it is part of.
 void SizeField::build(std::vector<Node>& nodes) {
-  std::vector<Range> todo{{0, nodes.size()}};
-  while (!todo.empty()) {  // ends: ranges are halved
-    const Range range = todo.back();
-    todo.pop_back();
+  std::vector<Range> pending{{0, nodes.size()}};
+  while (!pending.empty()) {  // ends: ranges are halved
+    const Range range = pending.back();
+    pending.pop_back();
     if (range.empty()) continue;
     const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(range.begin);
     const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(range.end);
@@ -76,8 +76,8 @@ void SizeField::build(std::vector<Node>& nodes) {
     middle->low = low;
     middle->high = high;
     middle->least = least;
-    todo.push_back({range.begin, range.middle()});
-    todo.push_back({range.middle() + 1, range.end});
+    pending.push_back({range.begin, range.middle()});
+    pending.push_back({range.middle() + 1, range.end});
   }
 }
 
@@ -89,12 +89,12 @@ double SizeField::lower_bound(const Node& node, Point p) const {
 
 double SizeField::operator()(Point p) const {
   const std::vector<Node>& nodes = *nodes_;
-  std::array<Range, deepest> todo;
+  std::array<Range, deepest> pending;
   std::size_t count = 0;
-  if (!nodes.empty()) todo[count++] = {0, nodes.size()};
+  if (!nodes.empty()) pending[count++] = {0, nodes.size()};
   double best = infinity;
   while (count > 0) {
-    const Range range = todo[--count];
+    const Range range = pending[--count];
     const Node& node = nodes[range.middle()];
     if (lower_bound(node, p) >= best) continue;
     const Point d = node.source.at - p;
@@ -103,8 +103,8 @@ double SizeField::operator()(Point p) const {
     const double to_left = left.empty() ? infinity : lower_bound(nodes[left.middle()], p);
     const double to_right = right.empty() ? infinity : lower_bound(nodes[right.middle()], p);
     const bool left_first = to_left <= to_right;
-    if (std::max(to_left, to_right) < best) todo[count++] = left_first ? right : left;
-    if (std::min(to_left, to_right) < best) todo[count++] = left_first ? left : right;
+    if (std::max(to_left, to_right) < best) pending[count++] = left_first ? right : left;
+    if (std::min(to_left, to_right) < best) pending[count++] = left_first ? left : right;
   }
   return best;
 }

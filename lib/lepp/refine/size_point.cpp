@@ -68,18 +68,18 @@ Point SizePoint::operator()(TriangleId t, Point off_centre) const {
 void cut_evenly(Mesh& mesh, const SizeTest& size, double floor,
                 const std::function<bool()>& may_go_on) {
   if (!size.any()) return;
-  std::vector<Ends> todo;
+  std::vector<Ends> pending;
   for (std::size_t i = mesh.triangle_count(); i-- > 0;) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const HalfEdge e{TriangleId(i), k};
       const auto across = mesh.twin(e);
       if (!mesh.is_constrained(e) || (across && *across < e)) continue;
-      todo.push_back({mesh.origin(e), mesh.destination(e)});
+      pending.push_back({mesh.origin(e), mesh.destination(e)});
     }
   }
-  while (!todo.empty() && may_go_on()) {  // ends: by the floor
-    const Ends ends = todo.back();
-    todo.pop_back();
+  while (!pending.empty() && may_go_on()) {  // ends: by the floor
+    const Ends ends = pending.back();
+    pending.pop_back();
     const auto e = mesh.find_edge(ends.a, ends.b);
     if (!e) continue;
     const double n = parts(mesh, size, *e);
@@ -90,8 +90,8 @@ void cut_evenly(Mesh& mesh, const SizeTest& size, double floor,
             ? split_halfway(mesh, *e, floor)
             : split_at_distance(mesh, *e, ends.a, std::floor(n / 2) / n * length, floor);
     if (split.vertices.empty()) continue;
-    todo.push_back({split.vertices.front(), ends.b});
-    todo.push_back({ends.a, split.vertices.front()});
+    pending.push_back({split.vertices.front(), ends.b});
+    pending.push_back({ends.a, split.vertices.front()});
   }
 }
 

@@ -14,13 +14,13 @@ TerminalLoop::TerminalLoop(Mesh& mesh, const RefineOptions& options, std::size_t
     : mesh_(mesh),
       options_(options),
       floor_(default_size_floor(mesh)),
-      budget_(budget),
+      allowance_(mesh, options, budget),
       bad_(std::move(judge)) {}
 
 void TerminalLoop::run() {
   std::optional<EncroachedEdges> encroached;
   if (options_.obtuse == ObtuseRule::split_first) encroached.emplace(mesh_);
-  while (may_go_on()) {
+  while (allowance_.may_go_on()) {
     changed_.clear();
     if (const auto e = encroached ? encroached->next(mesh_) : std::nullopt) {
       // Features of the input below the size floor stay as they are: cutting only spreads them.
@@ -33,15 +33,6 @@ void TerminalLoop::run() {
     if (encroached) encroached->update(mesh_, changed_);
     for (const TriangleId t : changed_) bad_.add(mesh_, t);
   }
-}
-
-bool TerminalLoop::may_go_on() {
-  if (mesh_.vertex_count() >= budget_) {
-    stopped_ = Reason::budget;
-  } else if (options_.progress && !options_.progress(mesh_.vertex_count())) {
-    stopped_ = Reason::cancelled;
-  }
-  return !stopped_;
 }
 
 // Cuts a constrained edge; false if that is not possible.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "lepp/refine/allowance.hpp"
 #include "lepp/refine/bad_triangles.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/triangulation/encroached.hpp"
@@ -23,10 +24,9 @@ class TerminalLoop {
   void run();
 
   /// Why it stopped before the work was done, if it did.
-  std::optional<Reason> stopped() const { return stopped_; }
+  std::optional<Reason> stopped() const { return allowance_.stopped(); }
 
  private:
-  bool may_go_on();
   bool cut(HalfEdge e);
   void improve(TriangleId t);
   bool insert(const SteinerPoint& s);
@@ -36,10 +36,9 @@ class TerminalLoop {
   Mesh& mesh_;
   const RefineOptions& options_;
   double floor_;
-  std::size_t budget_;
+  Allowance allowance_;
   BadTriangles bad_;
   std::vector<TriangleId> changed_;
-  std::optional<Reason> stopped_;
 };
 
 }  // namespace lepp

@@ -30,7 +30,7 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
     : mesh_(mesh),
       options_(options),
       floor_(default_size_floor(mesh)),
-      budget_(budget),
+      allowance_(mesh, options, budget),
       angle_(options.min_angle_deg, options.max_angle_deg),
       off_centre_(options.min_angle_deg),
       good_star_(mesh, options, floor_),
@@ -39,11 +39,11 @@ UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t b
       can_have_fans_(any_sharp_ || has_bent_curves(mesh)) {}
 
 void UnifiedLoop::run() {
-  cut_evenly(mesh_, targets_.size(), floor_, [&] { return may_go_on(); });
+  cut_evenly(mesh_, targets_.size(), floor_, [&] { return allowance_.may_go_on(); });
   next_seed_ = 0;
   seeds_ = mesh_.triangle_count();
   if (options_.obtuse == ObtuseRule::split_first) encroached_.emplace(mesh_);
-  while (may_go_on() && take_turn()) {
+  while (allowance_.may_go_on() && take_turn()) {
     for (const TriangleId t : changed_) targets_.add(mesh_, t);
   }
 }
@@ -63,15 +63,6 @@ bool UnifiedLoop::take_turn() {
     return false;
   }
   return true;
-}
-
-bool UnifiedLoop::may_go_on() {
-  if (mesh_.vertex_count() >= budget_) {
-    stopped_ = Reason::budget;
-  } else if (options_.progress && !options_.progress(mesh_.vertex_count())) {
-    stopped_ = Reason::cancelled;
-  }
-  return !stopped_;
 }
 
 bool UnifiedLoop::is_improvable(TriangleId t) const {

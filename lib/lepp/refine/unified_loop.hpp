@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "lepp/refine/allowance.hpp"
 #include "lepp/refine/good_star.hpp"
 #include "lepp/refine/off_centre.hpp"
 #include "lepp/refine/refine.hpp"
@@ -28,10 +29,9 @@ class UnifiedLoop {
   void run();
 
   /// Why it stopped before the work was done, if it did.
-  std::optional<Reason> stopped() const { return stopped_; }
+  std::optional<Reason> stopped() const { return allowance_.stopped(); }
 
  private:
-  bool may_go_on();
   bool take_turn();
   bool is_improvable(TriangleId t) const;
   bool is_between_constrained(TriangleId t) const;
@@ -50,7 +50,7 @@ class UnifiedLoop {
   Mesh& mesh_;
   const RefineOptions& options_;
   double floor_;
-  std::size_t budget_;
+  Allowance allowance_;
   AngleTest angle_;
   OffCentre off_centre_;
   GoodStar good_star_;
@@ -61,7 +61,6 @@ class UnifiedLoop {
   std::size_t next_seed_ = 0, seeds_ = 0;  // triangles of the start not yet looked at
   Cavity cavity_;
   std::vector<TriangleId> changed_;
-  std::optional<Reason> stopped_;
 };
 
 }  // namespace lepp
