@@ -15,6 +15,7 @@
 #include "lepp/refine/unified_loop.hpp"
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
+#include "lepp/triangulation/spatial_numbering.hpp"
 
 namespace lepp {
 
@@ -41,7 +42,6 @@ double predicted_triangles(const Mesh& mesh, const RefineOptions& options) {
   const SizeTest size(mesh, options);
   if (!size.any()) return 0;
   double predicted = 0;
-  if (!SizeTest(mesh, options).any()) return predicted;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     const auto [a, b, c] = mesh.corners(t);
@@ -280,11 +280,26 @@ RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
   return second;
 }
 
+// A mesh that does not fit into the cache is refined in spatial order.
+RefineReport refine_in_order(Mesh& mesh, const RefineOptions& options) {
+  constexpr std::size_t fits_into_the_cache = 20000;
+  if (mesh.vertex_count() <= fits_into_the_cache) return refine_unified(mesh, options);
+  SpatialNumbering numbering(mesh);
+  try {
+    RefineReport report = refine_unified(mesh, options);
+    numbering.undo();
+    return report;
+  } catch (...) {
+    numbering.undo();
+    throw;
+  }
+}
+
 }  // namespace
 
 RefineReport refine(Mesh& mesh, const RefineOptions& options) {
   check(options);
-  if (is_off_centre(options.placement)) return refine_unified(mesh, options);
+  if (is_off_centre(options.placement)) return refine_in_order(mesh, options);
   return improve(mesh, all_triangles(mesh), smallest_angle_indicator(options.min_angle_deg),
                  options);
 }

@@ -95,4 +95,19 @@ void EdgeRecords::erase(VertexId a, VertexId b) {
   slots_[hole] = {};
 }
 
+void EdgeRecords::renumber(std::span<const std::uint32_t> number_of) {
+  std::vector<Slot> old(slots_.size());
+  old.swap(slots_);
+  for (Slot slot : old) {
+    if (slot.low == none) continue;
+    slot.low = number_of[slot.low];
+    slot.high = number_of[slot.high];
+    if (slot.low > slot.high) {
+      std::swap(slot.low, slot.high);
+      if (slot.parameters != none) std::ranges::reverse(parameters_[slot.parameters]);
+    }
+    slots_[slot_of(slot.low, slot.high)] = slot;
+  }
+}
+
 }  // namespace lepp

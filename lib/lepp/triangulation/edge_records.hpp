@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lepp/geometry/ids.hpp"
@@ -36,6 +37,8 @@ class EdgeRecords {
   void set(VertexId a, VertexId b, const Record& record);
   /// Removes the record of edge ab, if there is one.
   void erase(VertexId a, VertexId b);
+  /// Vertex v becomes vertex `number_of[v]`: parameters stay at their ends. O(edges)
+  void renumber(std::span<const std::uint32_t> number_of);
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFFU;

@@ -99,6 +99,44 @@ void Mesh::own_edges(std::span<const SegmentId> again) {
   }
 }
 
+namespace {
+
+template <class T>
+void permute(std::vector<T>& items, std::span<const std::uint32_t> number_of) {
+  std::vector<T> moved(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) moved[number_of[i]] = items[i];
+  items.swap(moved);
+}
+
+}  // namespace
+
+void Mesh::renumber_vertices(std::span<const std::uint32_t> number_of) {
+  const auto renumber = [&](VertexId& v) { v = VertexId(number_of[v.index()]); };
+  constrained_edges_.renumber(number_of);
+  for (Segment& s : segments_) {
+    renumber(s.a);
+    renumber(s.b);
+  }
+  permute(points_, number_of);
+  permute(origins_, number_of);
+  permute(leaving_, number_of);
+  for (Triangle& t : triangles_) std::ranges::for_each(t.vertices, renumber);
+}
+
+void Mesh::renumber_triangles(std::span<const std::uint32_t> number_of) {
+  const auto renumber = [&](std::uint32_t& code) {
+    if (code != nothing) code = 4 * number_of[code / 4] + code % 4;
+  };
+  TriangleArray moved(triangles_.size());
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    Triangle& t = moved[number_of[i]];
+    t = triangles_[i];
+    std::ranges::for_each(t.across_, renumber);
+  }
+  triangles_.swap(moved);
+  std::ranges::for_each(leaving_, renumber);
+}
+
 VertexId Mesh::add_vertex(Point p, VertexOrigin origin) {
   const VertexId v(points_.size());
   points_.push_back(p);

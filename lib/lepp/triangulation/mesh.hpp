@@ -154,6 +154,10 @@ class Mesh {
   /// \param again  ascending: segments whose edge has an owner with a smaller id
   /// Cost  O(segments + s log s) for s segments in `again`; one set for each shared edge
   void own_edges(std::span<const SegmentId> again);
+  /// Vertex v becomes vertex `number_of[v]`, triangle t triangle `number_of[t]`, wherever the mesh
+  /// refers to them. \pre permutations; the first keeps the input vertices first.  O(n)
+  void renumber_vertices(std::span<const std::uint32_t> number_of);
+  void renumber_triangles(std::span<const std::uint32_t> number_of);
   VertexId add_vertex(Point p, VertexOrigin origin);
   void move_vertex(VertexId v, Point p) { points_[v.index()] = p; }
   TriangleId add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId region);
