@@ -33,7 +33,8 @@ CleanUp::CleanUp(Mesh& mesh, const RefineOptions& options, double floor)
       angle_(options.min_angle_deg, options.max_angle_deg),
       size_(mesh, options),
       merges_(options.effort == Effort::best || options.max_angle_deg < 180),
-      good_star_(mesh, options, floor) {}
+      good_star_(mesh, options, floor),
+      times_(mesh) {}
 
 void CleanUp::run() {
   const int rounds = options_.effort == Effort::best ? most_rounds : merges_ ? few_rounds : 1;
@@ -49,10 +50,10 @@ std::size_t CleanUp::remove_needless() {
   const std::size_t before = mesh_.vertex_count();
   for (std::size_t i = before; i-- > 0;) {  // the last vertex takes the place of a removed one
     const VertexId v(i);
-    if (i >= mesh_.vertex_count() || mesh_.is_input(v)) continue;
+    if (i >= mesh_.vertex_count() || mesh_.is_input(v) || !times_.is_due(v)) continue;
     if (!may_go_on()) break;
-    if (can_do_without(v)) remove_vertex(mesh_, v);
-    else if (merges_) merge_with_neighbour(v);
+    if (can_do_without(v)) remove(v);
+    else if (!merges_ || !merge_with_neighbour(v)) times_.tried(v);
   }
   return before - mesh_.vertex_count();
 }
@@ -61,7 +62,10 @@ void CleanUp::relax() {
   for (std::size_t i = 0; i < mesh_.vertex_count() && may_go_on(); ++i) {
     const auto [t, corner] = corner_of(mesh_, VertexId(i));
     changed_.clear();
-    good_star_.move_corner(t, corner, changed_);
+    if (!good_star_.move_corner(t, corner, changed_)) continue;
+    for_each_in_fan(mesh_, VertexId(i),
+                    [&](TriangleId around, std::uint32_t) { changed_.push_back(around); });
+    times_.changed(changed_);
   }
 }
 
@@ -131,27 +135,37 @@ bool CleanUp::is_needless_on_segment(VertexId v) {
 }
 
 bool CleanUp::merge_with_neighbour(VertexId v) {
-  if (mesh_.origin_of(v).kind != VertexOrigin::Kind::interior) return false;
-  std::optional<Point> place;
-  VertexId w;
-  for_each_in_fan(mesh_, v, [&](TriangleId t, std::uint32_t corner) {
-    const HalfEdge spoke{t, previous_corner(corner)};
-    w = mesh_.destination(spoke);
-    place = good_star_.place_for_both(spoke);
-    return !place;
-  });
-  if (place) replace_both(v, w, *place);
-  return place.has_value();
+  const auto [t, corner] = corner_of(mesh_, v);
+  if (!good_star_.start_to_merge(t, corner)) return false;
+  for (std::size_t i = 0; i < good_star_.degree(); ++i) {
+    const VertexId w = good_star_.neighbour(i);
+    if (times_.was_tried_beside(v, w)) continue;
+    if (const auto place = good_star_.place_for_both(i)) {
+      replace_both(v, w, *place);
+      return true;
+    }
+  }
+  return false;
 }
 
 // The triangles around p are Delaunay or will be flipped, which makes them no worse.
 void CleanUp::replace_both(VertexId v, VertexId w, Point p) {
-  remove_vertex(mesh_, std::max(v, w));
-  const auto removed = remove_vertex(mesh_, std::min(v, w));
-  const auto place = locate(mesh_, p, removed->changed.front());
+  remove(std::max(v, w));
+  const TriangleId beside = remove(std::min(v, w));
+  const auto place = locate(mesh_, p, beside);
   if (place && cavity_.find(mesh_, place->triangle, p)) {
     cavity_.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
+    times_.added();
+    times_.changed(cavity_.triangles());
   }
+}
+
+// Returns a triangle where it was.
+TriangleId CleanUp::remove(VertexId v) {
+  const auto removal = remove_vertex(mesh_, v);
+  times_.removed(v);
+  times_.changed(removal->changed);
+  return removal->changed.front();
 }
 
 }  // namespace lepp

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lepp/refine/angle_test.hpp"
+#include "lepp/refine/change_times.hpp"
 #include "lepp/refine/good_star.hpp"
 #include "lepp/refine/refine.hpp"
 
@@ -33,6 +34,7 @@ class CleanUp {
   bool is_good_fan(std::span<const Point> polygon, std::size_t from, SurfaceId region) const;
   bool merge_with_neighbour(VertexId v);
   void replace_both(VertexId v, VertexId w, Point p);
+  TriangleId remove(VertexId v);
 
   Mesh& mesh_;
   const RefineOptions& options_;
@@ -40,6 +42,7 @@ class CleanUp {
   SizeTest size_;
   bool merges_;
   GoodStar good_star_;
+  ChangeTimes times_;
   Star star_;
   std::vector<Point> polygon_;
   Cavity cavity_;

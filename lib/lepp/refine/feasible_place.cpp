@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace lepp {
 
@@ -152,7 +153,7 @@ bool FeasiblePlace::cut(Point normal, double least) {
       next_[n++] = polygon_[i] + side[i] / (side[i] - side[j]) * (polygon_[j] - polygon_[i]);
     }
   }
-  std::copy_n(next_.begin(), n, polygon_.begin());
+  std::swap(polygon_, next_);
   corners_ = n;
   return true;
 }

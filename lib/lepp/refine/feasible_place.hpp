@@ -25,6 +25,8 @@ namespace lepp {
 class FeasiblePlace {
  public:
   explicit FeasiblePlace(double min_angle_deg, double max_angle_deg = 180);
+  FeasiblePlace(const FeasiblePlace&) = delete;  // refers to its own buffers
+  FeasiblePlace& operator=(const FeasiblePlace&) = delete;
 
   /// \param near  a point near the star, or in it: differences from it are what is rounded
   /// \return a place well inside the feasible region, or nothing if there is none (or it is tiny)
@@ -57,7 +59,9 @@ class FeasiblePlace {
   std::size_t most_edges_;
   std::vector<Edge> edges_;
   std::size_t corners_ = 0;  // of the polygon
-  std::array<Point, most_corners> polygon_, next_;
+  std::array<std::array<Point, most_corners>, 2> buffers_;
+  Point* polygon_ = buffers_[0].data();
+  Point* next_ = buffers_[1].data();  // where the next cut writes
 };
 
 }  // namespace lepp

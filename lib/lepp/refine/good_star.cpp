@@ -86,19 +86,21 @@ bool GoodStar::is_interior_star(TriangleId t, std::uint32_t corner, Star& star) 
          find_star(mesh_, t, corner, star, most_triangles_);
 }
 
-//         x          e = v -> w. Without the edges at v and w, the link of v leads from x to y and
-//       / | \        that of w back to x. find_star() lists them from the edge beside `e` on.
-//      v--e--w
+//         x          Without the edges at v and w, the link of v leads from x to y and that of w
+//       / | \        back to x. That of v starts at w with edge i; find_star() lists that of w
+//      v--e--w       from the edge beside w -> v on.
 //       \ | /
 //         y
-std::optional<Point> GoodStar::place_for_both(HalfEdge e) {
-  if (mesh_.is_constrained(e)) return std::nullopt;
+std::optional<Point> GoodStar::place_for_both(std::size_t i) {
+  const HalfEdge e = previous_edge(whole_.link[i].edge);  // v -> w
   const HalfEdge f = *mesh_.twin(e);
+  if (!is_interior_star(f.triangle, next_corner(f.edge), part_)) return std::nullopt;
   star_.link.clear();
-  for (const HalfEdge side : {e, f}) {
-    if (!is_interior_star(side.triangle, next_corner(side.edge), part_)) return std::nullopt;
-    for (std::size_t i = 1; i + 1 < part_.size(); ++i) star_.link.push_back(part_.link[i]);
+  const std::size_t n = whole_.size();
+  for (std::size_t k = i + 1; k + 1 < i + n; ++k) {
+    star_.link.push_back(whole_.link[k < n ? k : k - n]);
   }
+  for (std::size_t k = 1; k + 1 < part_.size(); ++k) star_.link.push_back(part_.link[k]);
   const Point v = mesh_.point(mesh_.origin(e)), w = mesh_.point(mesh_.destination(e));
   const auto place = place_.find(star_, midpoint(v, w));
   if (!place) return std::nullopt;

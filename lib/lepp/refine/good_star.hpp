@@ -32,9 +32,17 @@ class GoodStar {
   /// \pre cavity.find() returned true for `p`, nothing changed since
   bool insert(Cavity& cavity, Point p, std::vector<TriangleId>& changed);
 
-  /// The place of one vertex that can stand for both ends of `e` with all triangles around it good.
-  /// \return nothing if there is none, or an end is no interior Steiner point
-  std::optional<Point> place_for_both(HalfEdge e);
+  /// Starts to look for a neighbour that corner `corner` of `t` can be merged with.
+  /// \return false if it is no interior Steiner point with a small star
+  bool start_to_merge(TriangleId t, std::uint32_t corner) {
+    return is_interior_star(t, corner, whole_);
+  }
+  std::size_t degree() const { return whole_.size(); }
+  VertexId neighbour(std::size_t i) const { return mesh_.origin(whole_.link[i].edge); }
+  /// The place of one vertex that can stand for both it and neighbour(i), with all triangles around
+  /// it good. \return nothing if there is none, or the neighbour is no interior Steiner point
+  /// \pre start_to_merge() returned true, nothing changed since
+  std::optional<Point> place_for_both(std::size_t i);
 
  private:
   bool is_interior_star(TriangleId t, std::uint32_t corner, Star& star) const;
@@ -50,7 +58,8 @@ class GoodStar {
   SizeTest size_;
   std::size_t most_triangles_;
   FeasiblePlace place_;
-  Star star_, part_;
+  Star star_;
+  Star whole_, part_;  // of a vertex that is to be merged, and of its neighbour
   std::vector<HalfEdge> stack_;
   std::vector<std::uint8_t> moves_;  // by vertex
 };
