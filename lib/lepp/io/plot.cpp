@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "lepp/geometry/error.hpp"
@@ -100,20 +102,26 @@ class Chart {
 
 constexpr std::string_view axis_style = "stroke=\"#333333\" stroke-width=\"1\"";
 constexpr std::string_view grid_style = "stroke=\"#dddddd\" stroke-width=\"1\"";
-constexpr std::array<int, 3> tick_digits = {1, 2, 5};
 
 std::string tick_label(int digit, int exponent) {
-  return std::to_string(digit) + "e" + std::to_string(exponent);
+  if (exponent < 0 || exponent > 4) return std::to_string(digit) + "e" + std::to_string(exponent);
+  return std::to_string(digit) + std::string(static_cast<std::size_t>(exponent), '0');
 }
 
-// Calls tick(log10, label) for 1, 2 and 5 times each power of ten in the range; in a range of more
-// than three decades only for 1.
+// The multiples of each power of ten that a range of so many decades has room for.
+std::span<const int> tick_digits(double decades) {
+  static constexpr std::array<int, 9> all = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  static constexpr std::array<int, 3> some = {1, 2, 5};
+  if (decades < 1) return all;
+  return decades > 3 ? std::span(some).first(1) : std::span(some);
+}
+
+// Calls tick(log10, label) for each tick in the range.
 void for_each_tick(Decades range, auto tick) {
-  const bool long_range = range.high - range.low > 3;
   for (int e = static_cast<int>(std::floor(range.low)); e <= range.high; ++e) {
-    for (const int digit : tick_digits) {
+    for (const int digit : tick_digits(range.high - range.low)) {
       const double log = e + std::log10(digit);
-      if (log < range.low || log > range.high || (long_range && digit != 1)) continue;
+      if (log < range.low || log > range.high) continue;
       tick(log, tick_label(digit, e));
     }
   }
