@@ -93,3 +93,23 @@ TEST_CASE("the factors of a vertex inside sum to what a linear function needs") 
     for (std::uint32_t i = 1; i < 6; ++i) CHECK(dot(flux[j * 7 + i], flux[j * 7 + i]) < 1e-28);
   }
 }
+
+TEST_CASE("the negative factors are those of all factors, in their order") {
+  Mesh mesh = grid({.columns = 12, .rows = 12, .jitter = 0.45, .regions = 3});
+  add_segments(mesh, {{0, 1, {}}});
+  const std::vector<EdgeFactor> all = edge_factors(mesh), found = negative_edge_factors(mesh);
+  std::vector<EdgeFactor> negative;
+  std::ranges::copy_if(all, std::back_inserter(negative),
+                       [](const EdgeFactor& f) { return f.sign < 0; });
+  REQUIRE(negative.size() > 10);
+  REQUIRE(found.size() == negative.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    CAPTURE(i);
+    CHECK(found[i].k == negative[i].k);
+    CHECK(found[i].l == negative[i].l);
+    CHECK(found[i].region == negative[i].region);
+    CHECK(found[i].factor == negative[i].factor);
+    CHECK(found[i].sign == -1);
+    CHECK(found[i].angle_deg == negative[i].angle_deg);
+  }
+}

@@ -68,4 +68,8 @@ struct EdgeFactor {
 /// \pre  M1 to M4.  Source [eymard2000]; docs/algorithms/voronoi.md
 std::vector<EdgeFactor> edge_factors(const Mesh& mesh);
 
+/// Those of edge_factors() whose sign is -1, without working out the others: a mesh has few or
+/// none. \pre  M1 to M4.  Cost O(triangles) and n log n for n such edges
+std::vector<EdgeFactor> negative_edge_factors(const Mesh& mesh);
+
 }  // namespace lepp
