@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lepp/geometry/point.hpp"
@@ -39,13 +41,12 @@ class CutPolygon {
     Side side;  ///< from here to the next corner
   };
 
-  const std::vector<Corner>& corners() const { return corners_; }
-  const Corner& after(std::size_t i) const {
-    return corners_[i + 1 == corners_.size() ? 0 : i + 1];
-  }
+  std::span<const Corner> corners() const { return {corners_.data(), count_}; }
+  const Corner& after(std::size_t i) const { return corners_[i + 1 == count_ ? 0 : i + 1]; }
 
-  /// The triangle abc; edge i is opposite corner i, as in a Mesh.
-  void start_with(Point a, Point b, Point c);
+  /// Corners first, first + 1 and first + 2 (mod 3) of a triangle; edge i is opposite corner i, as
+  /// in a Mesh.
+  void start_with(Point a, Point b, Point c, std::uint32_t first = 0);
 
   /// Keeps the part inside `half_plane`; the new side is labelled `side`.
   /// A corner that is on its line up to rounding counts as on it, so no part thinner than rounding
@@ -59,9 +60,37 @@ class CutPolygon {
  private:
   void cut_along_line(Side side);
 
-  std::vector<Corner> corners_;
-  std::vector<Corner> kept_;    // scratch
-  std::vector<double> beyond_;  // per corner: > 0 outside the half-plane, < 0 inside
+  // Room for more corners than there are: a cut then writes without asking.
+  std::size_t count_ = 0;
+  std::vector<Corner> corners_ = std::vector<Corner>(3);
+  std::vector<Corner> kept_;  // scratch
+  std::vector<double> beyond_ =
+      std::vector<double>(3);  // per corner: > 0 outside the half-plane, < 0 inside
 };
+
+// Most cuts take nothing off, and to find that out is all they do.
+
+namespace rounding {
+// How far from zero, relative to the size of its terms, normal . q - limit must be to be told from
+// it: some tens of roundings of the coordinates and of the products.
+inline constexpr double on_line = 1e-14;
+inline double sum_of_sizes(Point p) { return std::abs(p.x) + std::abs(p.y); }
+}  // namespace rounding
+
+inline bool CutPolygon::keep(const HalfPlane& half_plane, Side side) {
+  const double reach = rounding::on_line * rounding::sum_of_sizes(half_plane.normal);
+  bool any_inside = false, any_beyond = false;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Point q = corners_[i].at;
+    const double beyond = dot(half_plane.normal, q) - half_plane.limit;
+    const double rounding =
+        reach * rounding::sum_of_sizes(q) + rounding::on_line * half_plane.limit;
+    beyond_[i] = std::abs(beyond) <= rounding ? 0 : beyond;
+    any_inside |= beyond_[i] < 0;
+    any_beyond |= beyond_[i] > 0;
+  }
+  if (any_inside && any_beyond) cut_along_line(side);
+  return any_inside;
+}
 
 }  // namespace lepp
