@@ -35,7 +35,7 @@ class CornersByBox {
  private:
   std::vector<std::uint32_t> first_box_;  // vertices + 1
   std::vector<SurfaceId> regions_;        // boxes
-  std::vector<std::size_t> begin_;        // boxes + 1
+  std::vector<std::uint32_t> begin_;      // boxes + 1; 3 max_triangles fit
   std::vector<TriangleCorner> corners_;
 };
 
