@@ -4,14 +4,6 @@
 
 namespace lepp {
 
-void CutPolygon::start_with(Point a, Point b, Point c, std::uint32_t first) {
-  const auto edge = [&](std::uint32_t i) { return Side{Side::Kind::edge, (first + i) % 3}; };
-  count_ = 3;
-  corners_[0] = {a, edge(2)};
-  corners_[1] = {b, edge(0)};
-  corners_[2] = {c, edge(1)};
-}
-
 //      p2 -------- p1        The line meets sides p0 p1 and p2 p3 in x and y. What is kept is
 //      |           |         p0 x y p3, and x y is the new side. Where the line runs through a
 //   ---y-----------x---      corner, that corner is x or y.

@@ -68,7 +68,16 @@ class CutPolygon {
       std::vector<double>(3);  // per corner: > 0 outside the half-plane, < 0 inside
 };
 
-// Most cuts take nothing off, and to find that out is all they do.
+// Inline: most cuts take nothing off, and to find that out is all they do.
+
+inline void CutPolygon::start_with(Point a, Point b, Point c, std::uint32_t first) {
+  const std::uint32_t second = first == 2 ? 0 : first + 1;
+  const std::uint32_t third = first == 0 ? 2 : first - 1;
+  count_ = 3;
+  corners_[0] = {a, {Side::Kind::edge, third}};
+  corners_[1] = {b, {Side::Kind::edge, first}};
+  corners_[2] = {c, {Side::Kind::edge, second}};
+}
 
 namespace rounding {
 // How far from zero, relative to the size of its terms, normal . q - limit must be to be told from
