@@ -69,17 +69,18 @@ double rounding_of_pieces(const VoronoiBoxes& boxes, const VoronoiBox& box) {
   return rounding;
 }
 
+double larger_size(Point d) { return std::max(std::abs(d.x), std::abs(d.y)); }
+
+// Up to 1e-12 of its size and rounding. Lengths are measured from below, without roots.
 bool lies_in(std::span<const Point> corners, const std::array<Point, 3>& triangle) {
-  std::array<double, 3> length;
-  for (std::size_t i = 0; i < 3; ++i) {
-    length[i] = std::sqrt(squared_distance(triangle[i], triangle[(i + 1) % 3]));
-  }
-  const double size = std::max(length[0], length[2]);
+  const auto [a, b, c] = triangle;
+  const std::array<Point, 3> sides{b - a, c - b, a - c};
+  const double size = std::max(larger_size(sides[0]), larger_size(sides[2]));
   const double slack = 1e-12 * size + rounding_of(largest_coordinate(triangle));
   bool all_inside = true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = triangle[i], along = triangle[(i + 1) % 3] - a;
-    for (const Point p : corners) all_inside &= -cross(along, p - a) <= slack * length[i];
+    const double most = slack * larger_size(sides[i]);  // of the distance, times the length
+    for (const Point p : corners) all_inside &= -cross(sides[i], p - triangle[i]) <= most;
   }
   return all_inside;
 }

@@ -94,12 +94,7 @@ void BoxCutter::cut_sector(std::size_t sector) {
   triangles_.assign(1, sectors_[sector].triangle);
   for (std::size_t i = 0; i < triangles_.size(); ++i) {  // ends: each triangle enters once
     const TriangleId t = triangles_[i];
-    if (!start_part(t, sectors_[sector])) continue;
-    bool is_left = true;
-    for (std::uint32_t j = 0; j < neighbours_.size() && is_left; ++j) {
-      is_left = part_.keep(neighbour(j).nearer, {Side::Kind::bisector, j});
-    }
-    if (!is_left) continue;
+    if (!cut_part(t, sectors_[sector])) continue;
     follow_part(t);
     keep_part(t);
   }
@@ -133,17 +128,25 @@ void BoxCutter::find_neighbours(std::size_t sector) {
   }
 }
 
-// What of triangle t lies in the sector; false if nothing does. Its own triangle starts at k.
-bool BoxCutter::start_part(TriangleId t, TriangleCorner own) {
-  if (t == own.triangle) {
-    part_.start_with({0, 0}, neighbour(0).nearer.normal, neighbour(1).nearer.normal, own.corner);
-    return true;
+// What of triangle t lies in the sector and is nearer to k than to its neighbours; false if nothing
+// does. In its own triangle, which nearly always is acute, the first two cuts are one step.
+bool BoxCutter::cut_part(TriangleId t, TriangleCorner own) {
+  const Point a = neighbour(0).nearer.normal, b = neighbour(1).nearer.normal;
+  std::uint32_t done = 0;
+  if (t != own.triangle) {
+    const auto& v = mesh_.vertices(t);
+    part_.start_with(seen_from_k(v[0]), seen_from_k(v[1]), seen_from_k(v[2]));
+    const Side ray{Side::Kind::ray, 0};
+    if (!part_.keep(left_of_ray(a), ray) || !part_.keep(right_of_ray(b), ray)) return false;
+  } else if (part_.start_with_acute(a, b, own.corner)) {
+    done = 2;
+  } else {
+    part_.start_with({0, 0}, a, b, own.corner);
   }
-  const auto& v = mesh_.vertices(t);
-  part_.start_with(seen_from_k(v[0]), seen_from_k(v[1]), seen_from_k(v[2]));
-  const Side ray{Side::Kind::ray, 0};
-  return part_.keep(left_of_ray(neighbour(0).nearer.normal), ray) &&
-         part_.keep(right_of_ray(neighbour(1).nearer.normal), ray);
+  for (; done < neighbours_.size(); ++done) {
+    if (!part_.keep(neighbour(done).nearer, {Side::Kind::bisector, done})) return false;
+  }
+  return true;
 }
 
 void BoxCutter::follow_part(TriangleId t) {

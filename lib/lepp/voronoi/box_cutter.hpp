@@ -34,7 +34,7 @@ class BoxCutter {
   bool gather_from(HalfEdge first);
   void cut_sector(std::size_t sector);
   void find_neighbours(std::size_t sector);
-  bool start_part(TriangleId t, TriangleCorner own);
+  bool cut_part(TriangleId t, TriangleCorner own);
   void follow_part(TriangleId t);
   void keep_part(TriangleId t);
   void add_faces();

@@ -48,6 +48,12 @@ class CutPolygon {
   /// in a Mesh.
   void start_with(Point a, Point b, Point c, std::uint32_t first = 0);
 
+  /// The part of the triangle (origin, a, b), whose corners have the numbers first, first + 1 and
+  /// first + 2, that is nearer to the origin than to a and b, which are neighbours 0 and 1.
+  /// \return  false, and nothing is done, unless all angles are plainly below 90 degrees: then the
+  ///          bisectors meet inside, and the part is that of start_with() and two cuts
+  [[nodiscard]] bool start_with_acute(Point a, Point b, std::uint32_t first);
+
   /// Keeps the part inside `half_plane`; the new side is labelled `side`.
   /// A corner that is on its line up to rounding counts as on it, so no part thinner than rounding
   /// comes off or is left over.
@@ -58,25 +64,43 @@ class CutPolygon {
   double area() const;
 
  private:
+  static Side edge(std::uint32_t i) { return {Side::Kind::edge, i > 2 ? i - 3 : i}; }
   void cut_along_line(Side side);
 
   // Room for more corners than there are: a cut then writes without asking.
   std::size_t count_ = 0;
-  std::vector<Corner> corners_ = std::vector<Corner>(3);
+  std::vector<Corner> corners_ = std::vector<Corner>(4);
   std::vector<Corner> kept_;  // scratch
   std::vector<double> beyond_ =
-      std::vector<double>(3);  // per corner: > 0 outside the half-plane, < 0 inside
+      std::vector<double>(4);  // per corner: > 0 outside the half-plane, < 0 inside
 };
 
 // Inline: most cuts take nothing off, and to find that out is all they do.
 
 inline void CutPolygon::start_with(Point a, Point b, Point c, std::uint32_t first) {
-  const std::uint32_t second = first == 2 ? 0 : first + 1;
-  const std::uint32_t third = first == 0 ? 2 : first - 1;
   count_ = 3;
-  corners_[0] = {a, {Side::Kind::edge, third}};
-  corners_[1] = {b, {Side::Kind::edge, first}};
-  corners_[2] = {c, {Side::Kind::edge, second}};
+  corners_[0] = {a, edge(first + 2)};
+  corners_[1] = {b, edge(first)};
+  corners_[2] = {c, edge(first + 1)};
+}
+
+//      b            The bisectors of a and b meet in c: the part is origin, a/2, c, b/2.
+//      | `.
+//    b/2---c `.
+//      |    |  `.
+//   origin-a/2---a
+inline bool CutPolygon::start_with_acute(Point a, Point b, std::uint32_t first) {
+  const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
+  const double plainly = 1e-6 * (aa + bb);
+  if (!(ab > plainly && aa - ab > plainly && bb - ab > plainly)) return false;
+  const double scale = 0.5 / cross(a, b);
+  count_ = 4;
+  corners_[0] = {{0, 0}, edge(first + 2)};
+  corners_[1] = {0.5 * a, {Side::Kind::bisector, 0}};
+  corners_[2] = {{scale * (aa * b.y - bb * a.y), scale * (bb * a.x - aa * b.x)},
+                 {Side::Kind::bisector, 1}};
+  corners_[3] = {0.5 * b, edge(first + 1)};
+  return true;
 }
 
 namespace rounding {
