@@ -124,6 +124,53 @@ TEST_CASE("V3 alone fails for a piece that lies in another triangle of its regio
   CHECK(first != last);
 }
 
+TEST_CASE("a piece that reaches out of its triangle by 1e-11 of its size fails, by 1e-14 passes") {
+  for (const double beyond : {1e-11, 1e-14}) {
+    CAPTURE(beyond);
+    std::size_t failed = 0;
+    const Sound sound;
+    for (std::size_t i = 0; i < sound.boxes.corners.size(); ++i) {
+      VoronoiBoxes boxes = sound.boxes;
+      boxes.corners[i] = boxes.corners[i] + Point{beyond, 0};
+      failed += broken_rules(certify(sound.mesh, boxes)).contains("V3");
+    }
+    if (beyond < 1e-12) CHECK(failed == 0);
+    else CHECK(failed > sound.boxes.corners.size() / 10);  // those at a side that faces right
+  }
+}
+
+TEST_CASE("a corner that is no number fails V3") {
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(),
+                         std::numeric_limits<double>::infinity(), -1e300}) {
+    CAPTURE(x);
+    Sound damaged;
+    damaged.boxes.corners[1].x = x;
+    CHECK(broken_rules(certify(damaged.mesh, damaged.boxes)).contains("V3"));
+  }
+}
+
+TEST_CASE("the certificate of a mesh is that of its boxes, though it never has all of them") {
+  for (const std::uint32_t columns : {1U, 20U, 60U}) {  // 4, 441 and 3721 vertices
+    CAPTURE(columns);
+    const Mesh mesh = grid({.columns = columns,
+                            .rows = columns,
+                            .corner = {5e5, 4e6},
+                            .jitter = 0.15,
+                            .regions = columns == 1 ? 1U : 4U});
+    const Certificate at_once = certify(mesh), of_boxes = certify(mesh, voronoi_boxes(mesh));
+    CHECK(at_once.summary() == of_boxes.summary());
+    CHECK(at_once.summary() == "admissible");
+    CHECK(at_once.largest_area_defect == of_boxes.largest_area_defect);
+  }
+}
+
+TEST_CASE("a mesh that breaks V1 is certified by that alone") {
+  const Mesh mesh = two_triangles({-2, 0}, {0, -1}, {2, 0}, {0, 0.5});
+  const Certificate certificate = certify(mesh);
+  CHECK(broken_rules(certificate) == Rules{"V1"});
+  CHECK(certificate.offending.size() == 1);
+}
+
 TEST_CASE("V3 alone fails for a box in two halves, and for one too few of no area") {
   Sound split;
   VoronoiBox half = split.boxes.boxes[0];

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 using namespace lepp;
 
 namespace {
@@ -91,4 +94,49 @@ TEST_CASE("a sliver as thin as rounding neither comes off nor is left over") {
   CHECK(polygon.corners().size() == 3);
   polygon.start_with({2 - 4e-16, 0}, {5, 0}, {5, 1});
   CHECK_FALSE(polygon.keep(nearer_to_origin_than({4, 0}), neighbour(1)));
+}
+
+TEST_CASE("the part of an acute triangle is what two cuts leave of it") {
+  const Point a{4, -1}, b{2.5, 3};
+  for (std::uint32_t first = 0; first < 3; ++first) {
+    CAPTURE(first);
+    CutPolygon cut, at_once;
+    cut.start_with({0, 0}, a, b, first);
+    REQUIRE(cut.keep(nearer_to_origin_than(a), neighbour(0)));
+    REQUIRE(cut.keep(nearer_to_origin_than(b), neighbour(1)));
+    REQUIRE(at_once.start_with_acute(a, b, first));
+    REQUIRE(at_once.corners().size() == 4);
+    REQUIRE(cut.corners().size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(std::abs(at_once.corners()[i].at.x - cut.corners()[i].at.x) < 1e-15);
+      CHECK(std::abs(at_once.corners()[i].at.y - cut.corners()[i].at.y) < 1e-15);
+      CHECK(at_once.corners()[i].side == cut.corners()[i].side);
+    }
+  }
+}
+
+TEST_CASE("right, nearly right and obtuse angles at any corner are left to the cuts") {
+  CutPolygon polygon;
+  polygon.start_with({0, 0}, {4, 0}, {0, 4});
+  for (const double shift : {0.0, 1e-9, -1e-9, -1.0}) {  // of the last corner
+    CAPTURE(shift);
+    CHECK_FALSE(polygon.start_with_acute({4, 0}, {shift, 3}, 0));
+    CHECK_FALSE(polygon.start_with_acute({4, 0}, {4 - shift, 3}, 0));
+    CHECK_FALSE(polygon.start_with_acute({4 - shift, 3}, {0, 3}, 0));
+  }
+  CHECK(polygon.area() == 8);
+  CHECK(polygon.corners().size() == 3);
+}
+
+TEST_CASE("a polygon holds as many corners as the cuts make") {
+  CutPolygon polygon;
+  polygon.start_with({-9, -9}, {9, -9}, {0, 18});
+  constexpr std::uint32_t cuts = 1000;
+  for (std::uint32_t i = 0; i < cuts; ++i) {
+    const double turn = 2 * std::numbers::pi * i / cuts;
+    REQUIRE(polygon.keep(nearer_to_origin_than({2 * std::cos(turn), 2 * std::sin(turn)}),
+                         neighbour(i)));
+  }
+  CHECK(polygon.corners().size() == cuts);
+  CHECK(polygon.area() == doctest::Approx(cuts * std::tan(std::numbers::pi / cuts)));
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "lepp/triangulation/constrained_delaunay.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -192,6 +193,33 @@ TEST_CASE("a constrained edge inside a region ends a box like a wall") {
   const VoronoiBoxes boxes = voronoi_boxes(mesh);
   CHECK(box_of(boxes, 1).area == Approx(2.5 - 1.125).epsilon(1e-14));
   CHECK(face_of(boxes, 0, 2).length == Approx(2.1).epsilon(1e-14));
+}
+
+// Twelve spokes of a wheel, some of them walls: the hub has as many fans as walls, in one box.
+TEST_CASE("walls that meet in a vertex part its box into fans, whatever corner comes first") {
+  std::vector<Point> points{{0, 0}};
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    const double turn = 2 * std::numbers::pi * (i + 0.2 * (i % 2)) / 12;
+    points.push_back({std::cos(turn), std::sin(turn)});
+    triangles.push_back({0, 1 + (5 * i) % 12, 1 + (5 * i + 1) % 12});  // not in order around it
+  }
+  for (const unsigned walls : {0x000U, 0x001U, 0x081U, 0x155U, 0xAAAU, 0xFFFU}) {
+    CAPTURE(walls);
+    Mesh mesh = from_triangles(points, triangles);
+    std::vector<ExtraSegment> spokes;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      if ((walls >> i & 1U) != 0) spokes.push_back({0, i + 1, {}});
+    }
+    add_segments(mesh, spokes);
+    const VoronoiBoxes boxes = voronoi_boxes(mesh);
+    CHECK(box_of(boxes, 0).pieces == 12);
+    CHECK(certify(mesh, boxes).summary() == "admissible");
+    CHECK(certify(mesh).summary() == "admissible");
+    double sum = 0;
+    for (const double area : box_areas(mesh, boxes)) sum += area;
+    CHECK(sum == Approx(total_area(mesh)).epsilon(1e-14));
+  }
 }
 
 TEST_CASE("boxes and faces are sorted, and each edge has one face per region") {
