@@ -67,9 +67,9 @@ int region_tag(const Mesh& mesh, SurfaceId s) {
 // Per triangle: 1 if no edge has a negative factor in the triangle's region.
 std::vector<int> admissible_triangles(const Mesh& mesh) {
   using Key = std::tuple<VertexId, VertexId, SurfaceId>;
-  std::vector<Key> offending;  // ascending, as edge_factors() is
-  for (const EdgeFactor& f : edge_factors(mesh)) {
-    if (f.sign < 0) offending.emplace_back(f.k, f.l, f.region);
+  std::vector<Key> offending;  // ascending
+  for (const EdgeFactor& f : negative_edge_factors(mesh)) {
+    offending.emplace_back(f.k, f.l, f.region);
   }
   std::vector<int> admissible(mesh.triangle_count(), 1);
   for (std::size_t i = 0; i < admissible.size(); ++i) {

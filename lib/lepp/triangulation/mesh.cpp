@@ -146,9 +146,7 @@ VertexId Mesh::add_vertex(Point p, VertexOrigin origin) {
 }
 
 TriangleId Mesh::add_triangle(VertexId a, VertexId b, VertexId c, SurfaceId region) {
-  if (triangles_.size() >= max_triangles) {
-    throw RefusedError(source_, "more than 1.07e9 triangles", "split the domain or ask for less");
-  }
+  if (triangles_.size() >= max_triangles) refuse_more_triangles();
   const TriangleId t(triangles_.size());
   Triangle triangle{};
   triangle.across_ = {nothing, nothing, nothing};
@@ -272,6 +270,45 @@ void Mesh::set_record(VertexId a, VertexId b, const ConstrainedEdge& record) {
     }
   }
   constrained_edges_.set(a, b, stored);
+}
+
+void Mesh::split_record(VertexId a, VertexId b, VertexId v, double t) {
+  const ConstrainedEdge record = *find_record(a, b);
+  const double t_a = a < b ? record.t_low : record.t_high;
+  const double t_b = a < b ? record.t_high : record.t_low;
+  erase_record(a, b);
+  const auto half = [&](VertexId end, double t_end) {
+    return end < v ? ConstrainedEdge{record.segments, t_end, t}
+                   : ConstrainedEdge{record.segments, t, t_end};
+  };
+  set_record(a, v, half(a, t_a));
+  set_record(v, b, half(b, t_b));
+}
+
+void Mesh::join_records(VertexId a, VertexId v, VertexId b) {
+  const ConstrainedEdge to_a = *find_record(a, v), to_b = *find_record(v, b);
+  const double t_a = a < v ? to_a.t_low : to_a.t_high;
+  const double t_b = b < v ? to_b.t_low : to_b.t_high;
+  erase_record(a, v);
+  erase_record(v, b);
+  set_record(a, b, {to_a.segments, a < b ? t_a : t_b, a < b ? t_b : t_a});
+}
+
+void Mesh::grow(std::size_t vertices, std::size_t triangles) {
+  if (triangles_.size() + triangles > max_triangles) refuse_more_triangles();
+  const auto room_for = [](auto& items, std::size_t more) {
+    const std::size_t wanted = items.size() + more;
+    if (wanted > items.capacity()) items.reserve(std::max(wanted, 2 * items.capacity()));
+    items.resize(wanted);
+  };
+  room_for(points_, vertices);
+  room_for(origins_, vertices);
+  room_for(leaving_, vertices);
+  room_for(triangles_, triangles);
+}
+
+void Mesh::refuse_more_triangles() const {
+  throw RefusedError(source_, "more than 1.07e9 triangles", "split the domain or ask for less");
 }
 
 void Mesh::erase_record(VertexId a, VertexId b) { constrained_edges_.erase(a, b); }

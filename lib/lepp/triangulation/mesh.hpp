@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -196,6 +197,38 @@ class Mesh {
   std::optional<ConstrainedEdge> find_record(VertexId a, VertexId b) const;
   void set_record(VertexId a, VertexId b, const ConstrainedEdge& record);
   void erase_record(VertexId a, VertexId b);
+  /// The record of edge (a, b) goes over to (a, v) and (v, b), `t` the curve parameter of `v`.
+  void split_record(VertexId a, VertexId b, VertexId v, double t);
+  /// The records of (a, v) and (v, b), of one segment, become that of (a, b) again.
+  void join_records(VertexId a, VertexId v, VertexId b);
+
+  // For two threads that change different triangles: each call writes one side of an edge, one
+  // triangle or one vertex only.
+  /// Adds so many vertices and triangles, which the next functions then set.
+  void grow(std::size_t vertices, std::size_t triangles);
+  void set_vertex(VertexId v, Point p, VertexOrigin origin) {
+    points_[v.index()] = p;
+    origins_[v.index()] = origin;
+  }
+  void set_leaving(VertexId v, HalfEdge e) { leaving_[v.index()] = code(e); }
+  /// leaving(v) becomes `to` if it is `from`. Calls for one `v` at a time need different `from`.
+  void move_leaving(VertexId v, HalfEdge from, HalfEdge to) {
+    const std::atomic_ref leaving(leaving_[v.index()]);
+    if (leaving.load(std::memory_order_relaxed) == code(from)) {
+      leaving.store(code(to), std::memory_order_relaxed);
+    }
+  }
+  /// A triangle without constrained edges and with nothing across them yet.
+  void set_triangle(TriangleId t, const std::array<VertexId, 3>& vertices, SurfaceId region) {
+    Triangle& triangle = triangles_[t.index()];
+    triangle.vertices = vertices;
+    triangle.across_ = {nothing, nothing, nothing};
+    triangle.region_ = region;
+    triangle.constrained_ = 0;
+  }
+  void set_across(HalfEdge e, std::optional<HalfEdge> across) {
+    triangles_[e.triangle.index()].across_[e.edge] = across ? code(*across) : nothing;
+  }
 
  private:
   friend class RawTriangulation;
@@ -203,6 +236,7 @@ class Mesh {
   static std::uint32_t code(HalfEdge e) { return 4 * e.triangle.value + e.edge; }
   static HalfEdge half_edge(std::uint32_t code) { return {TriangleId(code / 4), code % 4}; }
 
+  [[noreturn]] void refuse_more_triangles() const;
   void move_record(VertexId end, VertexId from, VertexId to);
   void share_edge(VertexId a, VertexId b, std::vector<SegmentId> owners);
 

@@ -48,7 +48,7 @@ class StarOf {
     fill();
     for (const TriangleId t : free_) mesh_.set_vertices(t, v_, v_, v_);
     for (const TriangleId t : filled_) mesh_.refresh_leaving(t);
-    if (!constrained_.empty()) join_records(constrained_[0], constrained_[1]);
+    if (!constrained_.empty()) mesh_.join_records(constrained_[0], v_, constrained_[1]);
     removal_.changed.insert(removal_.changed.end(), filled_.begin(), filled_.end());
     restore_delaunay(mesh_, suspects_, &removal_.changed);
     fill_gaps();
@@ -150,15 +150,6 @@ class StarOf {
     std::array<Point, 4> p;
     for (std::size_t i = 0; i < 4; ++i) p[i] = mesh_.point(corner(star, i));
     return orient2d(p[0], p[1], p[2]) > 0 && orient2d(p[2], p[3], p[0]) > 0 ? 0 : 1;
-  }
-
-  void join_records(VertexId a, VertexId b) {
-    const ConstrainedEdge to_a = *mesh_.find_record(a, v_), to_b = *mesh_.find_record(v_, b);
-    const double t_a = a < v_ ? to_a.t_low : to_a.t_high;
-    const double t_b = b < v_ ? to_b.t_low : to_b.t_high;
-    mesh_.erase_record(a, v_);
-    mesh_.erase_record(v_, b);
-    mesh_.set_record(a, b, {to_a.segments, a < b ? t_a : t_b, a < b ? t_b : t_a});
   }
 
   void fill_gaps() {

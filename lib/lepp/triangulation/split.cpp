@@ -47,19 +47,6 @@ Halves cut_one_side(Mesh& mesh, HalfEdge e, VertexId p) {
   return {{t, 1}, {u, 2}};
 }
 
-void split_record(Mesh& mesh, VertexId a, VertexId b, VertexId p, double t) {
-  const ConstrainedEdge record = *mesh.find_record(a, b);
-  const double t_a = a < b ? record.t_low : record.t_high;
-  const double t_b = a < b ? record.t_high : record.t_low;
-  mesh.erase_record(a, b);
-  const auto half = [&](VertexId end, double t_end) {
-    return end < p ? ConstrainedEdge{record.segments, t_end, t}
-                   : ConstrainedEdge{record.segments, t, t_end};
-  };
-  mesh.set_record(a, p, half(a, t_a));
-  mesh.set_record(p, b, half(b, t_b));
-}
-
 }  // namespace
 
 bool is_inside(const Mesh& mesh, TriangleId t, Point p) {
@@ -126,7 +113,7 @@ VertexId split_edge(Mesh& mesh, HalfEdge e, Point p, VertexOrigin origin, double
   }
   mesh.set_constrained_flag(left.at_a, constrained);
   mesh.set_constrained_flag(left.at_b, constrained);
-  if (constrained) split_record(mesh, a, b, v, t);
+  if (constrained) mesh.split_record(a, b, v, t);
   return v;
 }
 

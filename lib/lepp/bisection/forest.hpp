@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lepp/triangulation/mesh.hpp"
+
+namespace lepp {
+
+/// Which edge of a triangle is cut.
+enum class BisectionRule {
+  longest_edge,   ///< its longest, by edge_key: LEPP-bisection
+  newest_vertex,  ///< the one opposite its newest vertex; the longest edge of a root
+};
+
+struct BisectOptions {
+  /// New vertices on bent boundary curves lie on the curve, where that leaves all triangles
+  /// counter-clockwise, and not halfway along the chord. Descendants then no longer fill their
+  /// parent, and the bounds on angles hold only in the limit.
+  bool follow_curves = false;
+  unsigned threads = 2;  ///< at most so many; the result has the same bytes for any number
+};
+
+/// A vertex between `a` and `b`: halfway, unless curves are followed.
+struct NewVertex {
+  VertexId vertex, a, b;
+};
+/// One triangle and the two that fill it: one has its id, the other one has `other`.
+struct Halves {
+  TriangleId whole, other;
+};
+
+/// What bisect() did, in the order in which it was done: what was made may be cut again further
+/// down the list. Neither list has anything that did not change.
+struct Refinement {
+  std::vector<NewVertex> vertices;  ///< their ids follow each other, from the old count on
+  std::vector<Halves> triangles;    ///< ids `other` follow each other, from the old count on
+  /// Marked, or on the way of those, and not cut: no double lies well between the ends of the edge.
+  std::vector<TriangleId> refused;
+};
+
+/// What coarsen() did, in the order in which it was done. With each removal the last vertex, or
+/// triangle, takes the free id; triangles first: data[removed] = data[last], and one item less.
+struct Coarsening {
+  std::vector<NewVertex> vertices;  ///< `vertex` is removed, it lay between `a` and `b`
+  std::vector<Halves> triangles;    ///< `other` is removed, `whole` is both again
+};
+
+/// A mesh that is refined by bisection and coarsened again, and the binary trees of its triangles:
+/// the mesh at the start holds the roots, its triangles now are the leaves. The same triangles are
+/// cut whatever the order of the marks: each is cut along its own edge or not at all.
+///
+///       c                   c
+///      / \                / | \       the edge that is cut, a -> b, keeps its number in both
+///     /   \     --->     /  |  \      halves; the first keeps the triangle's id and corner a,
+///    a-----b            a---v---b     the second one keeps b
+///
+/// Keeps physical groups, segments and curve parameters. A call costs as much as what it changes.
+/// Source [rivara1997] for the paths, [chen2010] for coarsening; docs/algorithms/bisection.md.
+class Forest {
+ public:
+  /// Every triangle of `mesh` becomes a root. \pre M1 to M5
+  explicit Forest(Mesh mesh, BisectionRule rule = BisectionRule::longest_edge);
+
+  const Mesh& mesh() const { return mesh_; }
+  Mesh take_mesh() && { return std::move(mesh_); }
+  BisectionRule rule() const { return rule_; }
+
+  /// Cuts each marked triangle once, and before it what must be cut so that the mesh conforms: the
+  /// triangles of its LEPP. Ids of a triangle that is cut, and of all vertices, stay.
+  /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
+  /// Cost  O(new triangles), and array growth now and then
+  Refinement bisect(std::span<const TriangleId> marked, const BisectOptions& options = {});
+
+  /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
+  /// vertex has only marked triangles around it, all made when it was. Roots stay. Called with all
+  /// triangles until nothing changes, it brings the mesh of the start back, every id included.
+  /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
+  /// Cost  O(marked)
+  Coarsening coarsen(std::span<const TriangleId> marked);
+
+  std::size_t root_count() const { return roots_; }
+  std::size_t root_vertex_count() const { return root_vertices_; }
+  /// How often it was cut out of its root: 0 for a root.
+  std::uint32_t generation(TriangleId t) const { return nodes_[node_[t.index()]].generation; }
+  /// The triangle of the start that `t` lies in, by its id there. O(generation)
+  TriangleId root(TriangleId t) const;
+  /// The other half of the triangle that `t` is a half of, if that is a leaf; nothing for a root.
+  std::optional<TriangleId> sibling(TriangleId t) const;
+  /// The edge of `t` that will be cut.
+  HalfEdge edge_to_cut(TriangleId t) const { return {t, cut_[t.index()]}; }
+
+ private:
+  friend class Bisector;
+  friend class Coarsener;
+  static constexpr std::uint32_t none = 0xFFFFFFFFU;
+  struct Node {
+    std::uint32_t parent = none;
+    std::uint32_t children = none;  // the second one follows the first
+    std::uint32_t leaf = none;      // the triangle, if there are no children
+    std::uint16_t generation = 0;
+    std::uint8_t cut = 0;  // the edge, if there are children
+  };
+  enum class State : std::uint8_t { idle, listed, waiting, refused };
+
+  Mesh mesh_;
+  BisectionRule rule_;
+  std::size_t roots_, root_vertices_;
+  std::vector<Node> nodes_;                // the roots first
+  std::vector<std::uint32_t> free_nodes_;  // first ones of unused pairs
+  // By triangle:
+  std::vector<std::uint32_t> node_;
+  std::vector<std::uint8_t> cut_;    // the edge that will be cut
+  std::vector<State> state_;         // idle between two calls
+  std::vector<std::uint32_t> half_;  // none between two rounds: the second half of one being cut
+};
+
+}  // namespace lepp
