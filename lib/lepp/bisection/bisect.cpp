@@ -12,7 +12,7 @@ namespace lepp {
 
 namespace {
 
-constexpr std::size_t too_few_for_threads = 4096;
+constexpr std::size_t at_once = 32768, too_few_for_threads = 4096;
 
 // Calls work(begin, end) for both halves of [0, count).
 template <class Work>
@@ -25,11 +25,11 @@ void in_halves(unsigned threads, std::size_t count, const Work& work) {
 
 }  // namespace
 
-// Works in rounds. The list of a round has triangles that must be cut. One whose edge is the edge
-// of its neighbour as well, or on the boundary, is cut with that neighbour: edges that are cut in
-// one round belong to different triangles, so they can be cut at the same time. Any other one
-// waits for its neighbour, which joins the next list; when that has been cut, it wakes those that
-// waited for it. So each path is followed once, and each of its triangles comes up as often as
+// Lists have triangles that must be cut, and are worked on some thousand at a time. A triangle
+// whose edge is the edge of its neighbour as well, or on the boundary, is cut with that neighbour:
+// such edges belong to different triangles, so all of them can be cut at the same time. Any other
+// one waits for its neighbour, which joins the next list; when that has been cut, it wakes those
+// that waited for it. So each path is followed once, and each of its triangles comes up as often as
 // the triangle across its edge changes.
 class Bisector {
  public:
@@ -40,19 +40,21 @@ class Bisector {
 
  private:
   using State = Forest::State;
-  enum class Action : std::uint8_t { cut, leave, wait, refuse };
-  // A triangle that must be cut and, if it is its turn, where: `t` on its edge, `u` across.
+  enum class Action : std::uint8_t { leave, cut, wait, refuse };  // leave: to the neighbour's item
+  // A triangle that must be cut and, if it is its turn, where and what comes of it.
   struct Item {
     HalfEdge e, across;
     Point middle;
     double parameter = 0;
     VertexId vertex;
-    std::uint32_t half_of_t = 0, half_of_u = 0;  // ids of the second halves
+    std::uint32_t half_of_t = 0, half_of_u = 0;          // ids of the second halves
+    std::uint32_t children_of_t = 0, children_of_u = 0;  // nodes
     bool has_across = false, constrained = false;
     Action action = Action::leave;
   };
 
-  void judge(TriangleId t, Item& item) const;
+  void judge(Item& item) const;
+  bool is_wanted(TriangleId t) const;
   bool place_middle(Item& item) const;
   bool fits(const Item& item) const;
   void give_ids();
@@ -60,16 +62,15 @@ class Bisector {
   void cut_side(HalfEdge e, VertexId v, std::uint32_t second, std::optional<HalfEdge> beside_a,
                 std::optional<HalfEdge> beside_b);
   std::optional<HalfEdge> now_across(HalfEdge e) const;
-  void choose_edges(const Item& item);
-  void grow_trees();
-  void plant(HalfEdge e, std::uint32_t second, std::uint32_t children);
+  void grow_tree(HalfEdge e, std::uint32_t second, std::uint32_t children);
+  std::uint32_t new_children();
   void split_record(const Item& item);
-  void list_next();
+  void work_on(std::span<const TriangleId> list);
+  void list_more();
   void wake(HalfEdge e, std::uint32_t second);
   void refuse(TriangleId t);
   void finish();
   void list(TriangleId t);
-  void choose_edges_of(HalfEdge e, std::uint32_t second);
 
   State& state(TriangleId t) { return forest_.state_[t.index()]; }
   State state(TriangleId t) const { return forest_.state_[t.index()]; }
@@ -88,43 +89,62 @@ class Bisector {
 
 Refinement Bisector::run(std::span<const TriangleId> marked) {
   for (const TriangleId t : marked) list(t);
-  list_.swap(next_);
-  while (!list_.empty()) {  // ends: a path grows in length, and each cut ends a wish
-    items_.resize(list_.size());
-    in_halves(options_.threads, list_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) judge(list_[i], items_[i]);
-    });
-    give_ids();
-    in_halves(options_.threads, cuts_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) cut(items_[cuts_[i]]);
-    });
-    in_halves(options_.threads, cuts_.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) choose_edges(items_[cuts_[i]]);
-    });
-    grow_trees();
-    list_next();
+  while (!next_.empty()) {  // ends: keys grow along a path, and each cut fulfils a wish
+    list_.swap(next_);
+    next_.clear();
+    for (std::size_t i = 0; i < list_.size(); i += at_once) {
+      work_on(std::span(list_).subspan(i, std::min(at_once, list_.size() - i)));
+    }
   }
   finish();
   return std::move(result_);
 }
 
+void Bisector::work_on(std::span<const TriangleId> list) {
+  items_.clear();
+  for (const TriangleId t : list) {
+    if (state(t) != State::listed) continue;  // cut with a neighbour since, or refused with it
+    state(t) = State::taken;                  // a half with this id may be listed once more
+    items_.push_back({});
+    items_.back().e = {t, cut_edge(t)};
+  }
+  in_halves(options_.threads, items_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) judge(items_[i]);
+  });
+  give_ids();
+  in_halves(options_.threads, cuts_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) cut(items_[cuts_[i]]);
+  });
+  in_halves(options_.threads, cuts_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Item& item = items_[cuts_[i]];
+      grow_tree(item.e, item.half_of_t, item.children_of_t);
+      if (item.has_across) grow_tree(item.across, item.half_of_u, item.children_of_u);
+    }
+  });
+  list_more();
+}
+
 void Bisector::list(TriangleId t) {
-  if (state(t) == State::listed || state(t) == State::refused) return;
+  if (is_wanted(t) || state(t) == State::refused) return;
   state(t) = State::listed;
   next_.push_back(t);
 }
 
-void Bisector::judge(TriangleId t, Item& item) const {
-  item = {};
-  item.e = {t, cut_edge(t)};
+bool Bisector::is_wanted(TriangleId t) const {
+  return state(t) == State::listed || state(t) == State::taken;
+}
+
+void Bisector::judge(Item& item) const {
+  const TriangleId t = item.e.triangle;
   const auto across = mesh_.twin(item.e);
   item.has_across = across.has_value();
   if (across) item.across = *across;
   item.constrained = mesh_.is_constrained(item.e);
   if (across && cut_edge(across->triangle) != across->edge) {
     item.action = Action::wait;
-  } else if (across && state(across->triangle) == State::listed && across->triangle < t) {
-    item.action = Action::leave;  // to the item of the neighbour
+  } else if (across && is_wanted(across->triangle) && across->triangle < t) {
+    item.action = Action::leave;
   } else {
     item.action = place_middle(item) ? Action::cut : Action::refuse;
   }
@@ -160,11 +180,13 @@ void Bisector::give_ids() {
     item.vertex = VertexId(vertices + cuts_.size());
     cuts_.push_back(static_cast<std::uint32_t>(i));
     half(item.e.triangle) = item.half_of_t = next_triangle++;
+    item.children_of_t = new_children();
     const VertexId a = mesh_.origin(item.e), b = mesh_.destination(item.e);
     result_.vertices.push_back({item.vertex, a, b});
     result_.triangles.push_back({item.e.triangle, TriangleId(item.half_of_t)});
     if (!item.has_across) continue;
     half(item.across.triangle) = item.half_of_u = next_triangle++;
+    item.children_of_u = new_children();
     result_.triangles.push_back({item.across.triangle, TriangleId(item.half_of_u)});
   }
   mesh_.grow(cuts_.size(), next_triangle - triangles);
@@ -172,6 +194,18 @@ void Bisector::give_ids() {
   forest_.cut_.resize(next_triangle);
   forest_.state_.resize(next_triangle, State::idle);
   forest_.half_.resize(next_triangle, Forest::none);
+}
+
+std::uint32_t Bisector::new_children() {
+  auto& free = forest_.free_nodes_;
+  if (free.empty()) {
+    const std::size_t children = forest_.nodes_.size();
+    forest_.nodes_.resize(children + 2);
+    return static_cast<std::uint32_t>(children);
+  }
+  const std::uint32_t children = free.back();
+  free.pop_back();
+  return children;
 }
 
 // What lies across `e` once all of the round is cut.
@@ -229,12 +263,7 @@ void Bisector::cut_side(HalfEdge e, VertexId v, std::uint32_t second,
   mesh_.move_leaving(b, to_c, {u, to_c.edge});
 }
 
-void Bisector::choose_edges(const Item& item) {
-  choose_edges_of(item.e, item.half_of_t);
-  if (item.has_across) choose_edges_of(item.across, item.half_of_u);
-}
-
-void Bisector::choose_edges_of(HalfEdge e, std::uint32_t second) {
+void Bisector::grow_tree(HalfEdge e, std::uint32_t second, std::uint32_t children) {
   const TriangleId t = e.triangle, u(second);
   std::uint32_t edge = previous_corner(e.edge), edge_of_second = next_corner(e.edge);
   if (forest_.rule_ == BisectionRule::longest_edge) {
@@ -243,40 +272,18 @@ void Bisector::choose_edges_of(HalfEdge e, std::uint32_t second) {
   }
   forest_.cut_[t.index()] = static_cast<std::uint8_t>(edge);
   forest_.cut_[u.index()] = static_cast<std::uint8_t>(edge_of_second);
-}
 
-void Bisector::grow_trees() {
-  auto& free = forest_.free_nodes_;
-  const auto next_pair = [&] {
-    if (free.empty()) {
-      const auto pair = static_cast<std::uint32_t>(forest_.nodes_.size());
-      forest_.nodes_.resize(pair + 2);
-      return pair;
-    }
-    const std::uint32_t pair = free.back();
-    free.pop_back();
-    return pair;
-  };
-  for (const std::uint32_t i : cuts_) {
-    const Item& item = items_[i];
-    plant(item.e, item.half_of_t, next_pair());
-    if (item.has_across) plant(item.across, item.half_of_u, next_pair());
-    if (item.constrained) split_record(item);
-  }
-}
-
-void Bisector::plant(HalfEdge e, std::uint32_t second, std::uint32_t children) {
-  const std::uint32_t parent = forest_.node_[e.triangle.index()];
+  const std::uint32_t parent = forest_.node_[t.index()];
   Forest::Node& node = forest_.nodes_[parent];
   const auto generation = static_cast<std::uint16_t>(node.generation + 1);
   node.children = children;
   node.leaf = Forest::none;
   node.cut = static_cast<std::uint8_t>(e.edge);
-  forest_.nodes_[children] = {parent, Forest::none, e.triangle.value, generation, 0};
+  forest_.nodes_[children] = {parent, Forest::none, t.value, generation, 0};
   forest_.nodes_[children + 1] = {parent, Forest::none, second, generation, 0};
-  forest_.node_[e.triangle.index()] = children;
-  forest_.node_[second] = children + 1;
-  state(e.triangle) = State::idle;
+  forest_.node_[t.index()] = children;
+  forest_.node_[u.index()] = children + 1;
+  state(t) = State::idle;
 }
 
 void Bisector::split_record(const Item& item) {
@@ -286,33 +293,33 @@ void Bisector::split_record(const Item& item) {
 }
 
 // Those that others wait for, and those whose wait is over.
-void Bisector::list_next() {
-  next_.clear();
+void Bisector::list_more() {
   for (const Item& item : items_) {
     const TriangleId t = item.e.triangle;
-    if (half(t) != Forest::none) continue;
-    if (item.action != Action::wait) {
+    if (item.action == Action::refuse) {
       refuse(t);
-    } else {
+      if (item.has_across && is_wanted(item.across.triangle)) refuse(item.across.triangle);
+    } else if (item.action == Action::wait) {
       state(t) = State::waiting;
       waited_.push_back(t);
+    } else if (state(t) == State::taken) {
+      state(t) = State::listed;
     }
   }
   for (const Item& item : items_) {
-    if (item.action == Action::wait) {
-      // Where it was cut in this round, wake() tells.
+    if (item.action == Action::wait) {  // where the neighbour has just been cut, wake() sees to it
       const TriangleId neighbour = item.across.triangle;
       if (half(neighbour) == Forest::none && state(neighbour) == State::idle) list(neighbour);
     } else if (item.action == Action::cut) {
       wake(item.e, item.half_of_t);
       if (item.has_across) wake(item.across, item.half_of_u);
+      if (item.constrained) split_record(item);
     }
   }
   for (const std::uint32_t i : cuts_) {
     half(items_[i].e.triangle) = Forest::none;
     if (items_[i].has_across) half(items_[i].across.triangle) = Forest::none;
   }
-  list_.swap(next_);
 }
 
 // Whatever waits for one of the two halves of what was cut at `e`.

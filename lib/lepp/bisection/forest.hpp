@@ -104,7 +104,7 @@ class Forest {
     std::uint16_t generation = 0;
     std::uint8_t cut = 0;  // the edge, if there are children
   };
-  enum class State : std::uint8_t { idle, listed, waiting, refused };
+  enum class State : std::uint8_t { idle, listed, taken, waiting, refused };
 
   Mesh mesh_;
   BisectionRule rule_;

@@ -16,16 +16,15 @@ std::array<HalfEdge, 3> edges_by_length(const Mesh& mesh, TriangleId t) {
   return edges;
 }
 
+// Which end comes first only tells among equal lengths.
 HalfEdge longest_edge(const Mesh& mesh, TriangleId t) {
+  const auto [a, b, c] = mesh.corners(t);
+  const std::array lengths{squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)};
   HalfEdge longest{t, 0};
-  EdgeKey key = edge_key(mesh, longest);
   for (const std::uint32_t i : {1U, 2U}) {
-    const HalfEdge e{t, i};
-    const EdgeKey other = edge_key(mesh, e);
-    if (other > key) {
-      longest = e;
-      key = other;
-    }
+    const double length = lengths[i], most = lengths[longest.edge];
+    if (length < most) continue;
+    if (length > most || edge_key(mesh, {t, i}) > edge_key(mesh, longest)) longest.edge = i;
   }
   return longest;
 }
