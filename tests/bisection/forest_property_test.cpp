@@ -1,0 +1,185 @@
+// What bisection promises, in random rounds of marks.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <random>
+
+#include "bisection/plain_bisection.hpp"
+#include "bisection/random_forest.hpp"
+#include "lepp/triangulation/validate.hpp"
+
+using namespace lepp;
+using namespace lepp::test;
+
+namespace {
+
+using Integer = boost::multiprecision::cpp_int;
+
+// u . w and u x w, where u and w lead from a corner to the other two: an angle as a vector.
+struct Angle {
+  Integer dot, cross;
+};
+
+Angle angle_at(Point p, Point q, Point r) {
+  const auto exact = [](double d) { return Integer(static_cast<long long>(d)); };
+  const Integer ux = exact(q.x) - exact(p.x), uy = exact(q.y) - exact(p.y),
+                wx = exact(r.x) - exact(p.x), wy = exact(r.y) - exact(p.y);
+  return {ux * wx + uy * wy, ux * wy - uy * wx};
+}
+
+// Exact: twice the angle is at least `other`, both below 180 degrees.
+bool is_at_least_half_of(const Angle& angle, const Angle& other) {
+  if (angle.dot <= 0) return true;
+  const Integer dot = angle.dot * angle.dot - angle.cross * angle.cross,
+                cross = 2 * angle.dot * angle.cross;
+  return other.dot * cross >= other.cross * dot;
+}
+
+Angle smallest_angle(const std::array<Point, 3>& corners) {
+  Angle smallest = angle_at(corners[0], corners[1], corners[2]);
+  for (const std::size_t i : {1U, 2U}) {
+    const Angle angle = angle_at(corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
+    if (angle.cross * smallest.dot < smallest.cross * angle.dot) smallest = angle;
+  }
+  return smallest;
+}
+
+std::vector<PlainBisection::Corners> triangles_of(const Mesh& mesh) {
+  std::vector<PlainBisection::Corners> all;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    all.push_back(PlainBisection::canonical(mesh.corners(TriangleId(t))));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+void check_same(const Mesh& mesh, const Mesh& start) {
+  REQUIRE(mesh.vertex_count() == start.vertex_count());
+  REQUIRE(mesh.triangle_count() == start.triangle_count());
+  for (std::size_t v = 0; v < start.vertex_count(); ++v) {
+    REQUIRE(mesh.points()[v] == start.points()[v]);
+  }
+  for (std::size_t i = 0; i < start.triangle_count(); ++i) {
+    const TriangleId t(i);
+    REQUIRE(mesh.vertices(t) == start.vertices(t));
+    REQUIRE(mesh.region(t) == start.region(t));
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge e{t, k};
+      REQUIRE(mesh.twin(e) == start.twin(e));
+      REQUIRE(mesh.is_constrained(e) == start.is_constrained(e));
+      if (!mesh.is_constrained(e)) continue;
+      const ConstrainedEdge now = mesh.constrained_edge(e), before = start.constrained_edge(e);
+      REQUIRE(now.segments == before.segments);
+      REQUIRE(now.t_low == before.t_low);
+      REQUIRE(now.t_high == before.t_high);
+    }
+  }
+}
+
+// Two meshes with every id and link the same.
+bool are_equal(const Mesh& a, const Mesh& b) {
+  if (a.triangle_count() != b.triangle_count() || !std::ranges::equal(a.points(), b.points())) {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.triangle_count(); ++i) {
+    const TriangleId t(i);
+    if (a.vertices(t) != b.vertices(t)) return false;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (a.twin({t, k}) != b.twin({t, k})) return false;
+    }
+  }
+  return true;
+}
+
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.corners(TriangleId(t));
+    area += 0.5 * cross(b - a, c - a);
+  }
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("20 rounds on 100 meshes: conforming, and no angle below half of its root's smallest") {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const Mesh start = integer_mesh(random, 2 + i % 10);
+    Forest forest(start);
+    for (int round = 0; round < 20; ++round) {
+      const Refinement done = forest.bisect(some_triangles(random, forest.mesh(), 2));
+      REQUIRE(done.refused.empty());
+      REQUIRE(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+    }
+    CHECK(area_of(forest.mesh()) == area_of(start));  // all of it is exact here
+    std::size_t below = 0;
+    for (std::size_t t = 0; t < forest.mesh().triangle_count(); ++t) {
+      const Angle smallest = smallest_angle(forest.mesh().corners(TriangleId(t)));
+      const Angle of_root = smallest_angle(start.corners(forest.root(TriangleId(t))));
+      below += is_at_least_half_of(smallest, of_root) ? 0 : 1;
+    }
+    CHECK(below == 0);
+  }
+}
+
+TEST_CASE("the same triangles as the recursive longest-edge algorithm, on 200 meshes") {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 200; ++i) {
+    CAPTURE(i);
+    const Mesh start = integer_mesh(random, i % 12);
+    Forest forest(start);
+    PlainBisection plain(start);
+    for (int round = 0; round < 5; ++round) {
+      const auto marked = some_triangles(random, forest.mesh(), 1 + random() % 6);
+      for (const TriangleId t : marked) plain.refine(forest.mesh().corners(t));
+      forest.bisect(marked);
+    }
+    REQUIRE(triangles_of(forest.mesh()) == plain.triangles());
+  }
+}
+
+TEST_CASE("coarsening all brings the mesh of the start back, id by id, by either rule") {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 60; ++i) {
+    CAPTURE(i);
+    const Mesh start = integer_mesh(random, i % 15);
+    Forest forest(start, i % 2 == 0 ? BisectionRule::longest_edge : BisectionRule::newest_vertex);
+    for (int round = 0; round < 8; ++round) {
+      forest.bisect(some_triangles(random, forest.mesh(), 1 + random() % 10));
+      if (random() % 3 == 0) {
+        forest.coarsen(some_triangles(random, forest.mesh(), forest.mesh().triangle_count()));
+        REQUIRE(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+      }
+    }
+    int calls = 0;
+    while (!forest.coarsen(all_triangles(forest.mesh())).vertices.empty()) {
+      REQUIRE(++calls < 1000);
+      REQUIRE(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+    }
+    check_same(forest.mesh(), start);
+  }
+}
+
+TEST_CASE("the order of the marks does not change the triangles, nor threads a single id") {
+  std::mt19937_64 random(4);
+  Mesh start = integer_mesh(random, 40);
+  Forest one(start), two(start), shuffled(start);
+  for (int round = 0; round < 9; ++round) {  // lists long enough for two threads
+    auto marked = all_triangles(one.mesh());
+    const Refinement done = one.bisect(marked, {.threads = 1});
+    const Refinement same = two.bisect(marked, {.threads = 2});
+    REQUIRE(are_equal(one.mesh(), two.mesh()));
+    CHECK(done.triangles.size() == same.triangles.size());
+  }
+  for (int round = 0; round < 3; ++round) {
+    Forest forward(start), backward(start);
+    auto marked = some_triangles(random, start, 30);
+    forward.bisect(marked);
+    std::ranges::shuffle(marked, random);
+    backward.bisect(marked);
+    CHECK(triangles_of(forward.mesh()) == triangles_of(backward.mesh()));
+  }
+}

@@ -1,0 +1,166 @@
+#include "lepp/bisection/forest.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "bisection/random_forest.hpp"
+#include "lepp/triangulation/quality.hpp"
+#include "lepp/triangulation/validate.hpp"
+
+using namespace lepp;
+using namespace lepp::test;
+
+namespace {
+
+// Shapes of triangles, told apart by the squared ratios of their sides.
+std::size_t count_shapes(const Mesh& mesh) {
+  std::vector<std::array<double, 2>> shapes;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.corners(TriangleId(t));
+    std::array sides{squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
+    std::ranges::sort(sides);
+    const std::array shape{sides[0] / sides[2], sides[1] / sides[2]};
+    const bool is_new = std::ranges::none_of(shapes, [&](const std::array<double, 2>& known) {
+      return std::abs(known[0] - shape[0]) < 1e-6 && std::abs(known[1] - shape[1]) < 1e-6;
+    });
+    if (is_new) shapes.push_back(shape);
+  }
+  return shapes.size();
+}
+
+Mesh mesh_of(const Pslg& pslg) { return constrained_delaunay(pslg).mesh; }
+
+std::size_t shapes_of(const Pslg& pslg, BisectionRule rule, int rounds) {
+  Forest forest(mesh_of(pslg), rule);
+  for (int i = 0; i < rounds; ++i) forest.bisect(all_triangles(forest.mesh()));
+  return count_shapes(forest.mesh());
+}
+
+}  // namespace
+
+TEST_CASE("descendants of a right isosceles triangle have one shape, of an equilateral one three") {
+  CHECK(shapes_of(polygon({0, 0, 1, 0, 0, 1}), BisectionRule::longest_edge, 8) == 1);
+  const double height = std::sqrt(3.0) / 2;
+  CHECK(shapes_of(polygon({0, 0, 1, 0, 0.5, height}), BisectionRule::longest_edge, 8) == 3);
+}
+
+TEST_CASE("newest vertices leave at most four shapes in each root") {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  for (int i = 0; i < 50; ++i) {
+    const Point p{coordinate(random), coordinate(random)};
+    if (p.y < 0.05) continue;
+    CHECK(shapes_of(polygon({0, 0, 1, 0, p.x, p.y}), BisectionRule::newest_vertex, 8) <= 4);
+  }
+}
+
+TEST_CASE("a cut keeps ids: the first half has the id of the whole, vertices stay") {
+  const Mesh start = mesh_of(unit_square());
+  Forest forest(start);
+  const TriangleId t(0U);
+  const Refinement done = forest.bisect(std::array{t});
+  REQUIRE(done.vertices.size() == 1);
+  REQUIRE(done.triangles.size() == 2);  // the diagonal is the longest edge of both
+  CHECK(done.vertices[0].vertex == VertexId(4U));
+  CHECK(forest.mesh().point(VertexId(4U)) == Point{0.5, 0.5});
+  CHECK(done.triangles[0].whole == t);
+  CHECK(done.triangles[0].other == TriangleId(2U));
+  CHECK(forest.generation(t) == 1);
+  CHECK(forest.root(TriangleId(2U)) == t);
+  CHECK(forest.sibling(t) == TriangleId(2U));
+  CHECK(forest.mesh().origin_of(VertexId(4U)).kind == VertexOrigin::Kind::interior);
+}
+
+TEST_CASE("a triangle that is marked twice, or cut with its neighbour, is cut once") {
+  Forest forest(mesh_of(unit_square()));
+  const std::array marked{TriangleId(0U), TriangleId(1U), TriangleId(0U)};
+  CHECK(forest.bisect(marked).vertices.size() == 1);
+  CHECK(forest.mesh().triangle_count() == 4);
+}
+
+TEST_CASE("an edge with no double well inside is refused, and all that needs it cut") {
+  const double next = std::nextafter(1.0, 2.0);
+  Pslg pslg = polygon({1, 1, next, 1, 1, next});
+  Forest forest(mesh_of(pslg));
+  const Refinement done = forest.bisect(std::array{TriangleId(0U)});
+  CHECK(done.vertices.empty());
+  CHECK(done.refused == std::vector{TriangleId(0U)});
+  CHECK(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+  CHECK(forest.bisect(std::array{TriangleId(0U)}).refused.size() == 1);  // nothing sticks
+}
+
+TEST_CASE("vertices on a bent boundary follow the curve if asked to, else the chord") {
+  Pslg pslg = polygon({1, 0, 0, 1, -1, 0, 0, -1});
+  const double pi = std::acos(-1.0);
+  pslg.entities.curves.push_back({});
+  pslg.entities.curves[0].geometry = EllipseArc{{0, 0}, {1, 0}, {0, 1}, 0, 2 * pi};
+  for (std::size_t i = 0; i < 4; ++i) {
+    pslg.segments[i].curve = CurveId(0U);
+    pslg.segments[i].t_a = 0.25 * static_cast<double>(i);
+    pslg.segments[i].t_b = 0.25 * static_cast<double>(i + 1);
+  }
+  const Mesh start = mesh_of(pslg);
+  for (const bool follow : {false, true}) {
+    Forest forest(start);
+    for (int i = 0; i < 8; ++i) {
+      forest.bisect(all_triangles(forest.mesh()), {.follow_curves = follow});
+    }
+    const Mesh& mesh = forest.mesh();
+    CHECK(validate(mesh, {.delaunay = false}).summary() == "valid");
+    double farthest = 0;
+    for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+      if (mesh.origins()[i].kind == VertexOrigin::Kind::interior) continue;
+      farthest =
+          std::max(farthest, std::abs(1 - std::sqrt(dot(mesh.points()[i], mesh.points()[i]))));
+    }
+    CHECK((follow ? farthest < 1e-12 : farthest > 0.2));
+    while (!forest.coarsen(all_triangles(forest.mesh())).vertices.empty()) {
+    }
+    CHECK(forest.mesh().vertex_count() == start.vertex_count());
+  }
+}
+
+TEST_CASE("regions, segments and their parameters go to the parts") {
+  std::mt19937_64 random(12);
+  const Mesh start = integer_mesh(random, 20);
+  Forest forest(start);
+  for (int i = 0; i < 4; ++i) forest.bisect(all_triangles(forest.mesh()));
+  const Mesh& mesh = forest.mesh();
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    CHECK(mesh.region(TriangleId(t)) == start.region(forest.root(TriangleId(t))));
+  }
+  CHECK(validate(mesh, {.delaunay = false}).summary() == "valid");  // M5: segments are chains
+}
+
+TEST_CASE("a log replayed gives every vertex between its ends, and triangle counts") {
+  std::mt19937_64 random(13);
+  Forest forest(integer_mesh(random, 10));
+  for (int round = 0; round < 10; ++round) {
+    std::vector<Point> points(forest.mesh().points().begin(), forest.mesh().points().end());
+    std::size_t triangles = forest.mesh().triangle_count();
+    if (round % 3 != 2) {
+      const Refinement done = forest.bisect(some_triangles(random, forest.mesh(), 8));
+      for (const NewVertex& v : done.vertices) {
+        REQUIRE(v.vertex.index() == points.size());
+        points.push_back(midpoint(points[v.a.index()], points[v.b.index()]));
+      }
+      for (const Halves& h : done.triangles) {
+        REQUIRE(h.other.index() == triangles++);
+        REQUIRE(h.whole.index() < h.other.index());
+      }
+    } else {
+      const Coarsening done = forest.coarsen(all_triangles(forest.mesh()));
+      for (const NewVertex& v : done.vertices) {
+        CHECK(points[v.vertex.index()] == midpoint(points[v.a.index()], points[v.b.index()]));
+        points[v.vertex.index()] = points.back();
+        points.pop_back();
+      }
+      triangles -= done.triangles.size();
+    }
+    REQUIRE(std::ranges::equal(points, forest.mesh().points()));
+    REQUIRE(triangles == forest.mesh().triangle_count());
+  }
+}
