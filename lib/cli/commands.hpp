@@ -17,6 +17,7 @@ enum Status : int {
 
 /// Each adds a subcommand to `app`; when it is given, its status is put into `status`.
 void add_mesh_command(CLI::App& app, int& status);
+void add_refine_command(CLI::App& app, int& status);
 void add_check_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
 void add_info_command(CLI::App& app, int& status);

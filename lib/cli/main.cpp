@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
       "claim is not reached; 4 refused or cancelled; 5 cannot write; 6 a bug of ours.");
   int status = cli::done;
   cli::add_mesh_command(app, status);
+  cli::add_refine_command(app, status);
   cli::add_check_command(app, status);
   cli::add_convert_command(app, status);
   cli::add_info_command(app, status);

@@ -61,3 +61,16 @@ TEST_CASE("a region of either kind that holds a random point of the triangle mee
     CHECK(meets(PolygonArea{{p, p + to, p + Point{-to.y, to.x}}}, triangle));
   }
 }
+
+TEST_CASE("the distance from a region is 0 inside and that of its nearest point outside") {
+  const Disc disc{{1, 1}, 2};
+  const Box box{{0, 0}, {2, 1}};
+  const PolygonArea polygon{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}};
+  CHECK(distance(disc, {2, 2}) == 0);
+  CHECK(distance(disc, {1, 4}) == 1);
+  for (const Region& region : {Region(box), Region(polygon)}) {
+    CHECK(distance(region, {1, 0.5}) == 0);
+    CHECK(distance(region, {5, 5}) == 5);
+    CHECK(distance(region, {1, -3}) == 3);
+  }
+}

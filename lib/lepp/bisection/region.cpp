@@ -1,6 +1,9 @@
 #include "lepp/bisection/region.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "lepp/geometry/predicates.hpp"
 
@@ -17,7 +20,9 @@ bool contains(const Corners& t, Point p) {
 
 double squared_distance_to_segment(Point p, Point a, Point b) {
   const Point d = b - a;
-  const double along = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
+  const double whole = dot(d, d);
+  if (whole == 0) return squared_distance(p, a);  // two corners of a polygon at one place
+  const double along = std::clamp(dot(p - a, d) / whole, 0.0, 1.0);
   return squared_distance(p, a + along * d);
 }
 
@@ -91,6 +96,25 @@ bool meets(const Region& region, const std::array<Point, 3>& triangle) {
   if (const auto* disc = std::get_if<Disc>(&region)) return meets_disc(*disc, triangle);
   if (const auto* box = std::get_if<Box>(&region)) return meets_box(*box, triangle);
   return meets_polygon(std::get<PolygonArea>(region), triangle);
+}
+
+double distance(const Region& region, Point p) {
+  if (const auto* disc = std::get_if<Disc>(&region)) {
+    return std::max(0.0, std::sqrt(squared_distance(p, disc->center)) - disc->radius);
+  }
+  if (const auto* box = std::get_if<Box>(&region)) {
+    const Point nearest{std::clamp(p.x, box->low.x, box->high.x),
+                        std::clamp(p.y, box->low.y, box->high.y)};
+    return std::sqrt(squared_distance(p, nearest));
+  }
+  const auto& polygon = std::get<PolygonArea>(region);
+  if (contains(polygon, p)) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+    const Point b = polygon.corners[(i + 1) % polygon.corners.size()];
+    least = std::min(least, squared_distance_to_segment(p, polygon.corners[i], b));
+  }
+  return std::sqrt(least);
 }
 
 }  // namespace lepp

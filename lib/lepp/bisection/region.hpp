@@ -27,4 +27,7 @@ using Region = std::variant<Disc, Box, PolygonArea>;
 /// \pre  `triangle` is counter-clockwise.  Cost O(1), for a polygon O(corners)
 bool meets(const Region& region, const std::array<Point, 3>& triangle);
 
+/// How far `p` is from the region, 0 inside. To rounding. Cost as above
+double distance(const Region& region, Point p);
+
 }  // namespace lepp

@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "commands.hpp"
+#include "inputs.hpp"
+#include "interrupt.hpp"
+#include "lepp/bisection/refine_where.hpp"
+#include "lepp/bisection/region.hpp"
+#include "lepp/io/size_file.hpp"
+#include "lepp/refine/refine.hpp"
+#include "lepp/refine/size_field.hpp"
+#include "lepp/triangulation/flip.hpp"
+#include "lepp/triangulation/quality.hpp"
+#include "lepp/triangulation/validate.hpp"
+#include "lepp/voronoi/admissible.hpp"
+#include "outputs.hpp"
+#include "regions.hpp"
+
+namespace lepp::cli {
+
+namespace {
+
+enum class By { bisect, delaunay };
+
+struct RefineCommand {
+  std::filesystem::path input, size_file;
+  OutputOptions output;
+  std::vector<std::string> regions;
+  double max_edge = std::numeric_limits<double>::infinity();
+  double grading = 0.25;
+  By by = By::bisect;
+  BisectionRule rule = BisectionRule::longest_edge;
+  double min_angle_deg = 30;
+  std::size_t max_vertices = 10'000'000;
+  unsigned threads = 2;
+  std::string json;
+  bool allow_unfinished = false, quiet = false;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// What is asked of each triangle: where it meets a region, an edge below max_edge; and everywhere
+// edges no longer than the size field says.
+class Wanted {
+ public:
+  explicit Wanted(const RefineCommand& command)
+      : max_edge_(command.max_edge), grading_(command.grading) {
+    for (const std::string& text : command.regions) regions_.push_back(read_region(text));
+    if (!command.size_file.empty()) {
+      field_ = SizeField(read_size_file(command.size_file), command.grading);
+    }
+  }
+
+  bool is_too_large(const Mesh& mesh, TriangleId t) const {
+    const double size = diameter(mesh, t);
+    const auto corners = mesh.corners(t);
+    if (!(size < max_edge_) && is_in_region(corners)) return true;
+    if (!field_) return false;
+    return std::ranges::any_of(corners, [&](Point p) { return size > field_(p); });
+  }
+
+  // A size for points. A triangle that meets a region has all of its points within its diameter of
+  // the region, so with a margin for what the size grows by until there it ends up below max_edge.
+  double size_at(Point p) const {
+    double size = field_ ? field_(p) : std::numeric_limits<double>::infinity();
+    const double at_region = (1 - grading_) * max_edge_;
+    if (regions_.empty()) return std::min(size, max_edge_);
+    for (const Region& region : regions_) {
+      size = std::min(size, at_region + grading_ * distance(region, p));
+    }
+    return size;
+  }
+
+ private:
+  bool is_in_region(const std::array<Point, 3>& corners) const {
+    if (regions_.empty()) return true;
+    return std::ranges::any_of(regions_, [&](const Region& r) { return meets(r, corners); });
+  }
+
+  double max_edge_, grading_;
+  std::vector<Region> regions_;
+  std::function<double(Point)> field_;
+};
+
+Reason reason_of(const Mesh& mesh, const RefineCommand& command) {
+  if (interrupted()) return Reason::cancelled;
+  return mesh.vertex_count() >= command.max_vertices ? Reason::budget : Reason::size_floor;
+}
+
+// Triangles that are still too large, and why.
+RefineReport bisect(Mesh& mesh, const RefineCommand& command, const Wanted& wanted) {
+  RefineReport report;
+  Progress progress;
+  WhereOptions options;
+  options.bisect.threads = command.threads;
+  options.max_vertices = command.max_vertices;
+  options.progress = [&](std::size_t vertices) { return progress(vertices); };
+  const std::size_t before = mesh.vertex_count();
+  Forest forest(std::move(mesh), command.rule);
+  const auto is_to_be_cut = [&](const Mesh& m, TriangleId t) { return wanted.is_too_large(m, t); };
+  report.goal_reached = refine_where(forest, is_to_be_cut, options).finished;
+  mesh = std::move(forest).take_mesh();
+  report.steiner_points = mesh.vertex_count() - before;
+  if (report.goal_reached) return report;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    if (!wanted.is_too_large(mesh, TriangleId(i))) continue;
+    report.unfinished.push_back({TriangleId(i), reason_of(mesh, command)});
+  }
+  return report;
+}
+
+RefineReport insert(Mesh& mesh, const RefineCommand& command, const Wanted& wanted) {
+  Progress progress;
+  RefineOptions options;
+  options.min_angle_deg = command.min_angle_deg;
+  options.size = [&](Point p) { return wanted.size_at(p); };
+  options.max_vertices = command.max_vertices;
+  options.progress = [&](std::size_t vertices) { return progress(vertices); };
+  make_delaunay(mesh);
+  return refine(mesh, options);
+}
+
+bool is_fine_enough(const Mesh& mesh, const Wanted& wanted) {
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    if (wanted.is_too_large(mesh, TriangleId(i))) return false;
+  }
+  return true;
+}
+
+void check(const Mesh& mesh, const RefineCommand& command, const RefineReport& refined,
+           RunReport& report) {
+  MeshClaims claims;
+  claims.delaunay = command.by == By::delaunay;
+  if (command.by == By::delaunay) {
+    claims.nonobtuse = true;
+    if (command.min_angle_deg > 0) claims.min_angle_deg = command.min_angle_deg;
+    claims.unfinished = refined.unfinished;
+    const Certificate certificate = certify(mesh);
+    report.admissible = certificate.admissible;
+    report.offending_edges = offending_edges(mesh, certificate);
+  }
+  const MeshReport checked = validate(mesh, claims);
+  report.valid = checked.valid();
+  report.violations = checked.violations;
+}
+
+int run(RefineCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  check_mesh_target(command.output, command.input);
+  check_report_target(command.json, command.input, files_of(command.output.target));
+  const Wanted wanted(command);
+  RunReport report;
+  report.input = command.input.string();
+  Mesh mesh = read_mesh(command.input, report.warnings).mesh;
+  report.seconds.read = seconds_since(start);
+  report.input_vertices = mesh.vertex_count();
+  report.stages.push_back({"read", measure(mesh), 0});
+
+  const auto refining = std::chrono::steady_clock::now();
+  const RefineReport refined =
+      command.by == By::bisect ? bisect(mesh, command, wanted) : insert(mesh, command, wanted);
+  report.seconds.refine = seconds_since(refining);
+  report.quality = measure(mesh);
+  report.stages.push_back({"refine", report.quality, refined.steiner_points});
+  report.steiner_points = refined.steiner_points;
+  report.below_bound = count_reasons(refined.unfinished);
+  report.goal_reached = refined.goal_reached && is_fine_enough(mesh, wanted);
+  report.groups = group_figures(mesh);
+  check(mesh, command, refined, report);
+
+  int status = done;
+  if (!*report.valid) status = bug;
+  else if (interrupted()) status = refused;
+  else if (!*report.goal_reached) status = unfinished;
+  if (status == done || (status == unfinished && command.allow_unfinished)) {
+    write_mesh(mesh, command.output);
+    report.output = command.output.target.string();
+  } else if (status == unfinished) {
+    report.warnings.push_back(
+        "the goal was not reached, so nothing was written; "
+        "--allow-unfinished writes the valid mesh all the same");
+  }
+  report.seconds.total = seconds_since(start);
+  report.peak_memory_bytes = peak_memory_bytes();
+  print_report(report, command.json, command.quiet);
+  return status;
+}
+
+void add_options(CLI::App& refine, RefineCommand& command) {
+  refine.add_option("--in", command.regions,
+                    "a region: \"disc X Y R\", \"box X0 Y0 X1 Y1\" or \"polygon FILE\"; may be "
+                    "given again (default: all of the mesh)");
+  refine
+      .add_option("--max-edge", command.max_edge,
+                  "edges of triangles that meet the region become shorter than this")
+      ->check(CLI::PositiveNumber);
+  refine.add_option("--size-file", command.size_file,
+                    "points with sizes, lines 'x y h': edges near (x, y) at most h long");
+  refine
+      .add_option("--grading", command.grading,
+                  "how fast sizes grow with the distance from points and, by delaunay, regions")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  static const std::map<std::string, By> ways{{"bisect", By::bisect}, {"delaunay", By::delaunay}};
+  refine
+      .add_option("--by", command.by,
+                  "bisect: triangles are halved, nested in the old ones; delaunay: points are "
+                  "inserted, the mesh stays admissible (default bisect)")
+      ->transform(CLI::CheckedTransformer(ways).description(""));
+  static const std::map<std::string, BisectionRule> rules{
+      {"longest-edge", BisectionRule::longest_edge},
+      {"newest-vertex", BisectionRule::newest_vertex}};
+  refine.add_option("--rule", command.rule, "which edge bisection cuts (default longest-edge)")
+      ->transform(CLI::CheckedTransformer(rules).description(""));
+  refine.add_option("--min-angle", command.min_angle_deg, "smallest angle wanted, by delaunay")
+      ->check(CLI::Range(0.0, 45.0))
+      ->capture_default_str();
+  refine.add_option("--max-vertices", command.max_vertices, "stop at so many vertices")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_refine_command(CLI::App& app, int& status) {
+  const auto command = std::make_shared<RefineCommand>();
+  CLI::App& refine = *app.add_subcommand("refine", "Make a mesh finer, all of it or in a region");
+  refine.add_option("IN", command->input, ".msh or .ele")->required();
+  refine.add_option("-o,--output", command->output.target, ".msh, .vtu or .ele")->required();
+  add_options(refine, *command);
+  refine.add_option("--threads", command->threads,
+                    "at most so many; the mesh does not depend on it");
+  refine.add_flag("--allow-unfinished", command->allow_unfinished,
+                  "write a valid mesh even if the goal was not reached (status 3)");
+  refine.add_option("--format", command->output.format, "of .msh output")
+      ->check(CLI::IsMember({"msh41", "msh22"}))
+      ->capture_default_str();
+  refine.add_option("--json", command->json, "write the report as JSON to a file, or - for stdout");
+  refine.add_flag("--force", command->output.force, "overwrite the output");
+  refine.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
+  refine.footer(
+      "Examples:\n"
+      "  lepp refine plate.msh -o finer.msh --max-edge 0.02\n"
+      "  lepp refine plate.msh -o finer.msh --in \"disc 0.3 0.4 0.1\" --max-edge 0.01\n"
+      "  lepp refine plate.msh -o finer.msh --in \"box 0 0 1 0.2\" --max-edge 0.01 --by delaunay");
+  refine.callback([command, &status] {
+    if (command->size_file.empty() && !(command->max_edge < std::numeric_limits<double>::max())) {
+      throw CLI::RequiredError("--max-edge or --size-file");
+    }
+    status = run(*command);
+  });
+}
+
+}  // namespace lepp::cli
