@@ -1,0 +1,107 @@
+// lepp refine: regions, the two ways, and what it refuses.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "lepp/bisection/refine_where.hpp"
+#include "lepp/bisection/region.hpp"
+#include "lepp/io/poly.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "pipeline/program.hpp"
+
+using namespace lepp;
+using namespace lepp::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+// A square in two parts, meshed as start.ele.
+void make_start(const ScratchFolder& folder) {
+  write(folder.path() / "in.poly",
+        "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0\n6 0.5 1\n"
+        "5 1\n1 1 2 5\n2 2 3 6\n3 3 4 7\n4 4 1 8\n5 5 6 9\n0\n");
+  REQUIRE(run(folder.path(), "mesh in.poly --max-edge 0.3 -q -o start.ele").status == 0);
+}
+
+std::size_t too_large(const fs::path& file, const Region& region, double eps) {
+  const Mesh mesh = mesh_from_triangles(read_ele(file)).mesh;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const TriangleId t(i);
+    count += !(diameter(mesh, t) < eps) && meets(region, mesh.corners(t)) ? 1 : 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("lepp refine makes every triangle that meets a region small, either way") {
+  const ScratchFolder folder;
+  make_start(folder);
+  write(folder.path() / "corners.txt", "0.1 0.1\n0.4 0.2\n0.2 0.5\n");
+  const std::pair<std::string, Region> regions[] = {
+      {"disc 0.3 0.4 0.1", Disc{{0.3, 0.4}, 0.1}},
+      {"box 0 0 1 0.05", Box{{0, 0}, {1, 0.05}}},
+      {"polygon corners.txt", PolygonArea{{{0.1, 0.1}, {0.4, 0.2}, {0.2, 0.5}}}}};
+  for (const auto& [text, region] : regions) {
+    for (const std::string by : {"bisect", "delaunay"}) {
+      CAPTURE(text);
+      CAPTURE(by);
+      const Outcome done = run(
+          folder.path(), "refine start.ele -o out.ele --force -q --json - --max-edge 0.02 --by " +
+                             by + " --in \"" + text + "\"");
+      REQUIRE(done.status == 0);
+      const Json report = Json::parse(done.out);
+      CHECK(report["goal_reached"] == true);
+      CHECK(report["valid"] == true);
+      CHECK(report["vertices"] < 20000);
+      CHECK(too_large(folder.path() / "out.ele", region, 0.02) == 0);
+      if (by == "bisect") continue;
+      CHECK(report["admissible"] == true);
+      CHECK(report["min_angle_deg"] >= 30 - 1e-9);
+      CHECK(report["obtuse_constrained"] == 0);
+    }
+  }
+}
+
+TEST_CASE("lepp refine without a region refines all of the mesh; newest vertices do as well") {
+  const ScratchFolder folder;
+  make_start(folder);
+  const Region all = Box{{-1, -1}, {2, 2}};
+  for (const std::string rule : {"longest-edge", "newest-vertex"}) {
+    REQUIRE(
+        run(folder.path(), "refine start.ele -o out.ele --force -q --max-edge 0.05 --rule " + rule)
+            .status == 0);
+    CHECK(too_large(folder.path() / "out.ele", all, 0.05) == 0);
+  }
+}
+
+TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {
+  const ScratchFolder folder;
+  make_start(folder);
+  const std::string arguments = "refine start.ele -o out.ele -q --max-edge 1e-3 --max-vertices 500";
+  CHECK(run(folder.path(), arguments).status == 3);
+  CHECK_FALSE(fs::exists(folder.path() / "out.ele"));
+  CHECK(run(folder.path(), arguments + " --allow-unfinished").status == 3);
+  CHECK(fs::exists(folder.path() / "out.ele"));
+}
+
+TEST_CASE("lepp refine refuses geometry, regions that are none, and to do nothing") {
+  const ScratchFolder folder;
+  make_start(folder);
+  CHECK(run(folder.path(), "refine in.poly -o out.ele --max-edge 0.1").status == 2);
+  CHECK(run(folder.path(), "refine start.ele -o out.ele").status == 1);
+  for (const char* region : {"disc 1 2", "disc 0 0 -1", "box 1 0 0 1", "circle 0 0 1",
+                             "polygon nowhere.txt", "disc a b c", ""}) {
+    CAPTURE(region);
+    const Outcome refused =
+        run(folder.path(),
+            std::string("refine start.ele -o out.ele --max-edge 0.1 --in \"") + region + "\"");
+    CHECK(refused.status == 2);
+    CHECK_FALSE(refused.err.empty());
+  }
+  CHECK_FALSE(fs::exists(folder.path() / "out.ele"));
+}
