@@ -6,8 +6,10 @@
 #include <thread>
 
 #include "interrupt.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/geometry/two_threads.hpp"
 #include "lepp/nonobtuse/nonobtuse.hpp"
+#include "lepp/triangulation/boundary_meetings.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
@@ -52,6 +54,7 @@ class Pipeline {
       report_.seconds.nonobtuse = timed([&] { remove_obtuse_angles(); });
       note_stage("nonobtuse", before);
     }
+    refuse_overlap();
     finish();
     return {std::move(mesh_), std::move(report_)};
   }
@@ -114,6 +117,22 @@ class Pipeline {
     refined_.goal_reached = judged.goal_reached && removed.goal_reached;
   }
 
+  // Cutting bent curves makes a mesh grow, and validate() looks at a triangle's neighbours only.
+  void refuse_overlap() {
+    if (!has_bent_boundary(mesh_)) return;
+    std::optional<std::pair<HalfEdge, HalfEdge>> meeting;
+    report_.seconds.check = timed([&] { meeting = first_boundary_meeting(mesh_); });
+    if (!meeting) return;
+    const auto place = [&](HalfEdge e) {
+      return to_text(mesh_.point(mesh_.origin(e))) + " to " +
+             to_text(mesh_.point(mesh_.destination(e)));
+    };
+    throw InputError(
+        mesh_.source() + ", boundary near " + to_text(mesh_.point(mesh_.origin(meeting->first))),
+        "pieces of its curves meet: " + place(meeting->first) + " and " + place(meeting->second),
+        "cut the curves closer with a smaller --chord-tolerance, or move them apart");
+  }
+
   // Why refinement stopped short, where the input is not to blame.
   static std::optional<Reason> own_reason(const RefineReport& refined) {
     for (const Unfinished& u : refined.unfinished) {
@@ -135,7 +154,7 @@ class Pipeline {
   void finish() {
     const bool is_large = mesh_.triangle_count() > 20'000;
     in_parallel(
-        is_large ? threads() : 1, [&] { report_.seconds.check = timed([&] { check(); }); },
+        is_large ? threads() : 1, [&] { report_.seconds.check += timed([&] { check(); }); },
         [&] {
           certify_boxes();
           measure_stage();

@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "io/sample_meshes.hpp"
+#include "lepp/geometry/error.hpp"
 #include "lepp/triangulation/quality.hpp"
+#include "lepp/triangulation/split_constrained.hpp"
+#include "support/arch.hpp"
 
 using namespace lepp;
 
@@ -49,4 +52,17 @@ TEST_CASE("an island in a hole is not taken for a hole") {
   REQUIRE(holes.size() == 1);
   pslg.holes = holes;
   CHECK(total_area(constrained_delaunay(pslg).mesh) == doctest::Approx(8.125));
+}
+
+TEST_CASE("where the boundary meets itself, no hole is placed, and the message says where") {
+  Mesh mesh = test::blocks_below_an_arch();
+  mesh.set_source("arch.geo", 0);
+  split_halfway(mesh, *mesh.find_edge(VertexId(2U), VertexId(3U)), 0);
+  try {
+    places_of_holes(mesh);
+    FAIL("found places");
+  } catch (const InputError& error) {
+    CHECK(error.where().starts_with("arch.geo, boundary near ("));
+    CHECK(error.remedy().starts_with("write .msh"));
+  }
 }

@@ -8,6 +8,7 @@
 
 #include "lepp/io/poly.hpp"
 #include "lepp/refine/refine.hpp"
+#include "lepp/triangulation/boundary_meetings.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
@@ -23,6 +24,7 @@ TEST_CASE("inputs that once showed a bug give valid meshes with reasons that hol
     Mesh mesh = constrained_delaunay(read_poly(entry.path()), {Crossings::split}).mesh;
     REQUIRE(validate(mesh).summary() == "valid");
     const RefineReport report = refine(mesh);
+    CHECK_FALSE(first_boundary_meeting(mesh));
     MeshClaims claims;
     claims.min_angle_deg = 30;
     claims.nonobtuse = true;

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
 #include "lepp/triangulation/validate.hpp"
+#include "support/random.hpp"
+#include "support/shapes.hpp"
 
 using namespace lepp;
 
@@ -65,4 +68,31 @@ TEST_CASE("an open fan is cut on both sides of the spoke that comes first") {
 TEST_CASE("cutting a fan of thousands of spokes takes time in proportion") {
   Mesh mesh = constrained_delaunay(wheel(4000)).mesh;
   CHECK(cut_spoke(mesh, 1) == 4000);
+}
+
+TEST_CASE("a cut of a boundary edge never lies outside it, so the area never grows") {
+  test::Random random(5);
+  std::size_t on_the_line = 0, cuts = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const auto coordinate = [&] { return 40 + random.real(); };
+    const Point a{coordinate(), coordinate()}, b{coordinate(), coordinate()};
+    Point c{coordinate(), coordinate()};
+    if (orient2d(a, b, c) <= 0) c = a + b - c;
+    Mesh mesh = constrained_delaunay(test::polygon({a.x, a.y, b.x, b.y, c.x, c.y})).mesh;
+    const HalfEdge e = *mesh.find_edge(VertexId(0U), VertexId(1U));
+    const double length = std::sqrt(squared_distance(a, b));
+    const ConstrainedSplit done = round % 2 == 0
+                                      ? split_halfway(mesh, e, 0)
+                                      : split_at_distance(mesh, e, VertexId(1U), 0.3 * length, 0);
+    if (done.vertices.empty()) continue;
+    ++cuts;
+    const Point p = mesh.point(done.vertices.front());
+    CHECK(orient2d(a, b, p) >= 0);
+    const Point meant = round % 2 == 0 ? midpoint(a, b) : b + 0.3 * (a - b);
+    CHECK(std::abs(p.x - meant.x) < 5e-14);
+    CHECK(std::abs(p.y - meant.y) < 5e-14);
+    if (orient2d(a, b, p) == 0) ++on_the_line;
+  }
+  CHECK(cuts > 1990);
+  CHECK(on_the_line < cuts / 2);
 }

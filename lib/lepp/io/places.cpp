@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/io/boundary_loops.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
@@ -78,11 +80,25 @@ Pslg pslg_of(const std::vector<Side>& sides) {
   return pslg;
 }
 
+Mesh triangulate(const Pslg& boundary, const std::string& source) {
+  try {
+    return constrained_delaunay(boundary).mesh;
+  } catch (const InputError&) {
+    const auto meeting = first_bad_meeting(boundary);
+    if (!meeting) throw;
+    const Segment& s = boundary.segments[meeting->first.index()];
+    throw InputError(source + ", boundary near " + to_text(boundary.points[s.a.index()]),
+                     "meets itself, so there is no telling where its holes are",
+                     "write .msh or .vtu, which need no points in holes; lepp check says more");
+  }
+}
+
 // The holes that `sides` close off, found by triangulating them alone: a part with the mesh beyond
 // one of its constrained edges is a hole.
-void add_by_triangulating(std::vector<Side> sides, std::vector<Point>& holes) {
+void add_by_triangulating(std::vector<Side> sides, const std::string& source,
+                          std::vector<Point>& holes) {
   std::ranges::sort(sides);
-  const Mesh filled = constrained_delaunay(pslg_of(sides)).mesh;
+  const Mesh filled = triangulate(pslg_of(sides), source);
   const auto parts = parts_of(filled, [&](Part& part, TriangleId t) {
     for (std::uint32_t k = 0; k < 3 && !part.is_hole; ++k) {
       const HalfEdge e{t, k};
@@ -121,7 +137,7 @@ std::vector<Point> places_of_holes(const Mesh& mesh) {
   std::vector<Side> sides;
   if (around_mesh > 1 || !is_clear) {  // islands may lie in holes, so all loops count at once
     for (const BoundaryLoop& loop : loops) append_sides(mesh, loop, sides);
-    add_by_triangulating(std::move(sides), holes);
+    add_by_triangulating(std::move(sides), mesh.source(), holes);
     return holes;
   }
   for (const BoundaryLoop& loop : loops) {
@@ -131,7 +147,7 @@ std::vector<Point> places_of_holes(const Mesh& mesh) {
     } else {
       sides.clear();
       append_sides(mesh, loop, sides);
-      add_by_triangulating(sides, holes);
+      add_by_triangulating(sides, mesh.source(), holes);
     }
   }
   return holes;

@@ -18,6 +18,7 @@ std::vector<Place> places_of_parts(const Mesh& mesh);
 /// A point well inside each hole: an area without mesh that boundary edges close off.
 /// The centroid of the hole where that lies well inside; elsewhere, and where a hole may hold
 /// islands, found by triangulating boundary edges alone.
+/// \throw InputError naming the place where the boundary meets itself, if that keeps it from them
 /// Cost O(n), and O(b log b) for the b boundary edges that are triangulated.
 std::vector<Point> places_of_holes(const Mesh& mesh);
 

@@ -3,6 +3,7 @@
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/text.hpp"
+#include "lepp/triangulation/boundary_meetings.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
 
 namespace lepp {
@@ -220,27 +221,15 @@ class SoupJoiner {
   // Boundary edges that meet elsewhere than at their ends mean triangles that overlap, or a
   // vertex that hangs in the middle of an edge.
   void check_boundary() const {
-    Pslg boundary;
-    boundary.points.assign(mesh_.points().begin(), mesh_.points().end());
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const HalfEdge e{TriangleId(t), i};
-        if (mesh_.is_boundary(e)) {
-          boundary.segments.push_back({mesh_.origin(e), mesh_.destination(e), {}, 0, 1});
-        }
-      }
-    }
-    if (const auto meeting = first_bad_meeting(boundary)) {
-      const auto [r, s] = *meeting;
-      const auto name = [&](SegmentId id) {
-        const Segment& segment = boundary.segments[id.index()];
-        return vertex_number(segment.a) + "-" + vertex_number(segment.b);
-      };
-      throw InputError(soup_.source + ", boundary edges " + name(r) + " and " + name(s),
-                       "cross, touch or overlap near " +
-                           to_text(boundary.points[boundary.segments[r.index()].a.index()]),
-                       "triangles must meet along whole edges and not overlap");
-    }
+    const auto meeting = first_boundary_meeting(mesh_);
+    if (!meeting) return;
+    const auto name = [&](HalfEdge e) {
+      return vertex_number(mesh_.origin(e)) + "-" + vertex_number(mesh_.destination(e));
+    };
+    throw InputError(
+        soup_.source + ", boundary edges " + name(meeting->first) + " and " + name(meeting->second),
+        "cross, touch or overlap near " + to_text(mesh_.point(mesh_.origin(meeting->first))),
+        "triangles must meet along whole edges and not overlap");
   }
 
   void keep_point_entities() {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
 
 namespace lepp {
@@ -23,17 +25,48 @@ bool long_enough(const ConstrainedPiece& e, Point p, double floor) {
   return least >= floor * floor && least > 0;
 }
 
+// How many steps of rounding a point may be moved to the mesh's side of an edge.
+constexpr int most_steps = 4;
+
+// A double near `p`, a rounded point of chord ab, that can cut `e`. Where nothing lies across `e`,
+// it is on the chord or on the mesh's side of it, exactly: the mesh may touch itself again an ulp
+// away, and a point outside the chord would reach over there.
+//
+//     a --------- p ------- b     p lies a hair outside: one step along x, along y, or along both,
+//            q   mesh             towards the mesh, leads to q; nothing that is not mesh joins it
+//
+std::optional<Point> point_near_chord(const Mesh& mesh, HalfEdge e, Point p) {
+  const Point a = mesh.point(mesh.origin(e)), b = mesh.point(mesh.destination(e));
+  const auto fits = [&](Point q) {
+    return (!mesh.is_boundary(e) || orient2d(a, b, q) >= 0) && can_split_edge(mesh, e, q);
+  };
+  if (fits(p)) return p;
+  if (!mesh.is_boundary(e)) return std::nullopt;
+  const auto ulp = [](double c, double d) { return 0x1p-53 * std::max(std::abs(c), std::abs(d)); };
+  const Point step{std::copysign(ulp(a.x, b.x), a.y - b.y),
+                   std::copysign(ulp(a.y, b.y), b.x - a.x)};
+  for (int k = 1; k <= most_steps; ++k) {
+    for (const Point move : {Point{step.x, 0}, Point{0, step.y}, step}) {
+      const Point q = in_supported_range(p + static_cast<double>(k) * move);
+      if (fits(q)) return q;
+    }
+  }
+  return std::nullopt;
+}
+
 ConstrainedSplit split_at(Mesh& mesh, HalfEdge e, const ConstrainedPiece& geometry,
                           CurvePoint on_curve, CurvePoint on_chord, double floor) {
-  for (CurvePoint candidate : {on_curve, on_chord}) {
-    candidate.point = in_supported_range(candidate.point);
-    if (!long_enough(geometry, candidate.point, floor)) continue;
-    if (!can_split_edge(mesh, e, candidate.point)) continue;
-    const Insertion done =
-        insert_on_edge(mesh, e, candidate.point, origin_on(mesh, e), candidate.t);
+  const auto cut = [&](Point p, double t) -> ConstrainedSplit {
+    const Insertion done = insert_on_edge(mesh, e, p, origin_on(mesh, e), t);
     return {{done.vertex}, done.changed};
+  };
+  const auto can_cut = [&](Point p) { return long_enough(geometry, p, floor); };
+  if (geometry.curve != nullptr) {
+    const Point p = in_supported_range(on_curve.point);
+    if (can_cut(p) && can_split_edge(mesh, e, p)) return cut(p, on_curve.t);
   }
-  return {};
+  const auto p = point_near_chord(mesh, e, in_supported_range(on_chord.point));
+  return p && can_cut(*p) ? cut(*p, on_chord.t) : ConstrainedSplit{};
 }
 
 CurvePoint on_chord(const CurvePiece& piece, double s) {

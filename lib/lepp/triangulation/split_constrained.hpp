@@ -21,8 +21,9 @@ struct ConstrainedPiece {
 ConstrainedPiece piece_from(const Mesh& mesh, HalfEdge e, VertexId from);
 
 /// Cuts constrained edge `e` at the point halfway along it, on its curve if it has one and the
-/// mesh stays valid, else on the chord. Nothing happens if a part would be shorter than `floor` or
-/// no double fits between.
+/// mesh stays valid, else on the chord. A point on the chord of a boundary edge never lies outside
+/// it, exactly, so a mesh with straight boundaries never grows and cannot come to overlap itself.
+/// Nothing happens if a part would be shorter than `floor` or no double fits between.
 ConstrainedSplit split_halfway(Mesh& mesh, HalfEdge e, double floor);
 
 /// Cuts `e` at distance `radius` from its end `from`, likewise.
