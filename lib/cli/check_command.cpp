@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "inputs.hpp"
+#include "lepp/triangulation/join_segments.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
@@ -40,7 +41,8 @@ int run(CheckCommand& command) {
   check_report_target(command.json, command.mesh);
   RunReport report;
   report.input = command.mesh.string();
-  const Mesh mesh = read_mesh(command.mesh, report.warnings).mesh;
+  Mesh mesh = read_mesh(command.mesh, report.warnings).mesh;
+  join_segments_in_line(mesh);  // a file does not tell Steiner points from those of the input
   report.seconds.read = seconds();
   if (command.min_angle_deg > 0) {
     command.claims.min_angle_deg = command.min_angle_deg;

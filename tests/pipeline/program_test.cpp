@@ -152,6 +152,44 @@ TEST_CASE("check: status 3 for a claim that fails") {
   REQUIRE(report["offending_edges"].size() == 1);
 }
 
+TEST_CASE("check excuses what the input forced on a mesh, as mesh does, and nothing else") {
+  const ScratchFolder folder;
+  // A polygon that runs back to one point: wedges whose sides refinement cuts at equal distances.
+  write(
+      folder.path() / "in.poly",
+      "11 2 0 0\n0 440 4152\n1 440 4208\n2 296 4192\n3 368 4192\n4 400 4200\n5 400 4176\n"
+      "6 368 4192\n7 296 4192\n8 264 4200\n9 288 4160\n10 296 4192\n"
+      "11 0\n0 0 1\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 7\n7 7 8\n8 8 9\n9 9 10\n10 10 0\n0\n");
+  for (const std::string target : {"out.ele", "out.msh"}) {
+    CAPTURE(target);
+    REQUIRE(run(folder.path(), "mesh in.poly -q --force --json report.json -o " + target).status ==
+            0);
+    const Outcome checked = run(folder.path(), "check -q --min-angle 30 --json - " + target);
+    CHECK(checked.status == 0);
+    const Json made = Json::parse(content_of(folder.path() / "report.json"));
+    CHECK(Json::parse(checked.out)["below_bound"] == made["below_bound"]);
+    CHECK(made["below_bound"]["input_angle"] > 2);
+  }
+  // A point near the middle of a side: two angles of one degree that no wedge forces.
+  write(folder.path() / "bad.node", "6 2 0 0\n1 0 0\n2 0.5 0\n3 1 0\n4 1 1\n5 0 1\n6 0.5 0.01\n");
+  write(folder.path() / "bad.ele", "5 3 0\n1 1 2 6\n2 2 3 6\n3 3 4 6\n4 4 5 6\n5 5 1 6\n");
+  CHECK(run(folder.path(), "check bad.ele -q").status == 0);
+  CHECK(run(folder.path(), "check bad.ele -q --min-angle 30").status == 3);
+}
+
+TEST_CASE("a mesh does not overlap itself where boundaries are an ulp apart") {
+  const ScratchFolder folder;
+  write(folder.path() / "in.poly",
+        "6 2 0 0\n0 -46.654032 -0.8788341\n1 -46.654008761408086 -0.87880625\n"
+        "2 -46.65402 -0.878806\n3 -46.654032 -0.8788341\n4 -46.654 -0.87883\n"
+        "5 -46.653968 -0.8787574\n6 0\n0 0 1\n1 1 2\n2 2 0\n3 3 4\n4 4 5\n5 5 3\n0\n");
+  for (const std::string target : {"out.msh", "out.ele"}) {
+    CAPTURE(target);
+    CHECK(run(folder.path(), "mesh in.poly --split-crossings -q -o " + target).status == 0);
+    CHECK(run(folder.path(), "check -q " + target).status == 0);
+  }
+}
+
 TEST_CASE("crossing segments are refused with both ids, or split when asked to") {
   const ScratchFolder folder;
   write(folder.path() / "in.poly",
