@@ -20,6 +20,11 @@ std::string size_error(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("numbers between commas are told from too few numbers") {
+  CHECK(contains(size_error("0.5,0.5,0.1\n"), "not separated by blanks"));
+  CHECK(contains(size_error("0.5\n"), "1 fields where 3 belong"));
+}
+
 TEST_CASE("a size file holds points with sizes, comments and empty lines") {
   const ScratchFolder folder;
   const auto path = folder.put("a.txt", "# x y h\n0 1 0.25\n\n  -1e3\t2 1e-3  # a well\r\n");
@@ -27,6 +32,7 @@ TEST_CASE("a size file holds points with sizes, comments and empty lines") {
   REQUIRE(sources.size() == 2);
   CHECK(sources[0].at == Point{0, 1});
   CHECK(sources[0].size == 0.25);
+  CHECK(sources[0].holds_around_it);
   CHECK(sources[1].at == Point{-1000, 2});
   CHECK(sources[1].size == 1e-3);
 }

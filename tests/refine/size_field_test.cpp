@@ -8,6 +8,7 @@
 #include <random>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/predicates.hpp"
 #include "support/shapes.hpp"
 
 using namespace lepp;
@@ -86,4 +87,27 @@ TEST_CASE("segments become sources at their middles, a quarter longer than they 
   REQUIRE(sources.size() == 4);
   CHECK(sources[0].at == Point{0.5, 0});
   CHECK(sources[0].size == 1.25);
+}
+
+TEST_CASE("the least size of sources in a triangle agrees with a plain loop") {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  auto sources = random_sources(random, 300);
+  for (std::size_t i = 0; i < sources.size(); i += 2) sources[i].holds_around_it = true;
+  const SizeField field(sources, 10);
+  int inside = 0;
+  for (int i = 0; i < 500; ++i) {
+    Point a{coordinate(random), coordinate(random)}, b{coordinate(random), coordinate(random)};
+    const Point c{coordinate(random), coordinate(random)};
+    if (orient2d(a, b, c) < 0) std::swap(a, b);
+    double least = 0.1;
+    for (const SizeSource& s : sources) {
+      const bool within =
+          orient2d(a, b, s.at) >= 0 && orient2d(b, c, s.at) >= 0 && orient2d(c, a, s.at) >= 0;
+      if (within && s.holds_around_it) least = std::min(least, s.size);
+    }
+    CHECK(field.least_within(a, b, c, 0.1) == least);
+    if (least < 0.1) ++inside;
+  }
+  CHECK(inside > 100);
 }

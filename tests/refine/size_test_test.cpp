@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/size_field.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "support/shapes.hpp"
@@ -78,4 +79,25 @@ TEST_CASE("sizes that need more than 1e8 triangles are refused, by bounds and by
   options.size = SizeField({{{0.5, 0.5}, 1e-5}}, 1e-6);
   CHECK_THROWS_AS(refine(mesh, options), RefusedError);
   CHECK(mesh.vertex_count() == 4);
+}
+
+TEST_CASE("the triangles around a point of a size file are as small as it asks, at any grading") {
+  for (const double grading : {0.5, 100.0}) {
+    CAPTURE(grading);
+    const Point at{0.3, 0.4};
+    Mesh mesh = constrained_delaunay(test::unit_square()).mesh;
+    RefineOptions options;
+    options.size = SizeField({{at, 1e-3, true}}, grading);
+    const RefineReport report = refine(mesh, options);
+    CHECK(report.goal_reached);
+    int around = 0;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(t));
+      if (orient2d(a, b, at) < 0 || orient2d(b, c, at) < 0 || orient2d(c, a, at) < 0) continue;
+      ++around;
+      CHECK(std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)}) <=
+            1e-6);
+    }
+    CHECK(around > 0);
+  }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/text.hpp"
 
 namespace lepp {
@@ -44,7 +45,7 @@ SizeField::SizeField(std::vector<SizeSource> sources, double grading) : grading_
   check(sources, grading);
   std::vector<Node> nodes;
   nodes.reserve(sources.size());
-  for (const SizeSource& s : sources) nodes.push_back({s, s.at, s.at, s.size});
+  for (const SizeSource& s : sources) nodes.push_back({s, s.at, s.at, s.size, infinity});
   build(nodes);
   nodes_ = std::make_shared<const std::vector<Node>>(std::move(nodes));
 }
@@ -59,12 +60,13 @@ void SizeField::build(std::vector<Node>& nodes) {
     const auto begin = nodes.begin() + static_cast<std::ptrdiff_t>(range.begin);
     const auto end = nodes.begin() + static_cast<std::ptrdiff_t>(range.end);
     Point low{infinity, infinity}, high{-infinity, -infinity};
-    double least = infinity;
+    double least = infinity, least_around = infinity;
     for (auto it = begin; it != end; ++it) {
       const Point at = it->source.at;
       low = {std::min(low.x, at.x), std::min(low.y, at.y)};
       high = {std::max(high.x, at.x), std::max(high.y, at.y)};
       least = std::min(least, it->source.size);
+      if (it->source.holds_around_it) least_around = std::min(least_around, it->source.size);
     }
     const bool wide = high.x - low.x > high.y - low.y;
     const auto middle = nodes.begin() + static_cast<std::ptrdiff_t>(range.middle());
@@ -76,6 +78,7 @@ void SizeField::build(std::vector<Node>& nodes) {
     middle->low = low;
     middle->high = high;
     middle->least = least;
+    middle->least_around = least_around;
     pending.push_back({range.begin, range.middle()});
     pending.push_back({range.middle() + 1, range.end});
   }
@@ -107,6 +110,30 @@ double SizeField::operator()(Point p) const {
     if (std::min(to_left, to_right) < best) pending[count++] = left_first ? left : right;
   }
   return best;
+}
+
+double SizeField::least_within(Point a, Point b, Point c, double bound) const {
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
+  const std::vector<Node>& nodes = *nodes_;
+  std::array<Range, deepest> pending;
+  std::size_t count = 0;
+  if (!nodes.empty()) pending[count++] = {0, nodes.size()};
+  while (count > 0) {
+    const Range range = pending[--count];
+    const Node& node = nodes[range.middle()];
+    const bool apart =
+        node.low.x > right || node.high.x < left || node.low.y > top || node.high.y < bottom;
+    if (apart || node.least_around >= bound) continue;
+    const auto& [p, size, holds] = node.source;
+    if (holds && size < bound && orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 &&
+        orient2d(c, a, p) >= 0) {
+      bound = size;
+    }
+    if (range.begin < range.middle()) pending[count++] = {range.begin, range.middle()};
+    if (range.middle() + 1 < range.end) pending[count++] = {range.middle() + 1, range.end};
+  }
+  return bound;
 }
 
 std::vector<SizeSource> sizes_of_segments(const Pslg& pslg) {

@@ -12,6 +12,8 @@ namespace lepp {
 struct SizeSource {
   Point at;
   double size;  ///< a length, > 0
+  /// Whether no edge of the triangle around the point is to be longer either, at any grading.
+  bool holds_around_it = false;
 };
 
 /// The longest edge wanted at each point of the plane, from sizes wanted at some points:
@@ -23,6 +25,11 @@ class SizeField {
   /// \throw InputError  a size that is not above 0 or a place that is not finite; grading < 0
   SizeField(std::vector<SizeSource> sources, double grading);
 
+  /// The least size of the sources that hold around them and lie in the counter-clockwise triangle
+  /// abc or on its edges, if it is below `bound`; else `bound`. Cost O(log n + such sources near
+  /// it)
+  double least_within(Point a, Point b, Point c, double bound) const;
+
   /// Infinite without sources. Cost O(log n) where sizes vary little between near sources.
   double operator()(Point p) const;
 
@@ -32,7 +39,7 @@ class SizeField {
   struct Node {
     SizeSource source;
     Point low, high;
-    double least;
+    double least, least_around;  // of all, and of those that hold around them
   };
   static void build(std::vector<Node>& nodes);
   double lower_bound(const Node& node, Point p) const;

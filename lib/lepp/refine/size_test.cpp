@@ -41,6 +41,7 @@ SizeTest::SizeTest(const Mesh& mesh, const RefineOptions& options)
   }
   const auto is_limit = [](const Bound& b) { return std::isfinite(b.wanted_edge); };
   any_ = options.size || is_limit(everywhere_) || std::ranges::any_of(by_region_, is_limit);
+  points_ = options.size.target<SizeField>();
   if (options.size) answers_.resize(std::size_t{1} << memory_bits);
 }
 
@@ -63,7 +64,8 @@ double SizeTest::field_at(Point p) const {
 
 double SizeTest::squared_size_in(Point a, Point b, Point c) const {
   const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-  const double size = std::min({field_at(centroid), field_at(a), field_at(b), field_at(c)});
+  double size = std::min({field_at(centroid), field_at(a), field_at(b), field_at(c)});
+  if (points_ != nullptr) size = points_->least_within(a, b, c, size);
   return size * size;
 }
 

@@ -5,13 +5,15 @@
 
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/refine.hpp"
+#include "lepp/refine/size_field.hpp"
 #include "lepp/triangulation/mesh.hpp"
 
 namespace lepp {
 
 /// Tests triangles against the sizes that are asked for: longest edge and area, of all, by region,
 /// and the longest edge by a field. The field is asked at the corners and at the centroid; the
-/// least of the four counts.
+/// least of the four counts, and of the sizes of points in the triangle that hold around them, if
+/// the field is a SizeField.
 class SizeTest {
  public:
   SizeTest(const Mesh& mesh, const RefineOptions& options);
@@ -57,6 +59,7 @@ class SizeTest {
 
   const Mesh& mesh_;
   const RefineOptions& options_;
+  const SizeField* points_ = nullptr;  // the field, if it is one of points
   bool any_ = false;
   Bound everywhere_;
   std::vector<Bound> by_region_;
