@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "lepp/io/poly.hpp"
+#include "validators.hpp"
 
 namespace lepp::cli {
 
@@ -85,7 +86,7 @@ void add_gmsh_options(CLI::App& command, GmshOptions& options) {
   command
       .add_option("--chord-tolerance", options.chord_tolerance,
                   "curves: sagitta of a piece, as a share of the curve's bounding box")
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_zero())
       ->capture_default_str();
   command.add_flag("--gmsh-sizes", options.gmsh_sizes,
                    "take the boundary points from Gmsh even if the .geo sets no sizes");

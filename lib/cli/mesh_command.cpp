@@ -1,13 +1,14 @@
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "lepp/geometry/text.hpp"
 #include "outputs.hpp"
 #include "pipeline.hpp"
+#include "validators.hpp"
 
 namespace lepp::cli {
 
@@ -24,6 +25,12 @@ struct MeshCommand {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int cancel(RunReport& report) {
+  report.goal_reached = false;
+  report.warnings.push_back("cancelled; nothing was written");
+  return refused;
 }
 
 int run(MeshCommand& command) {
@@ -43,7 +50,7 @@ int run(MeshCommand& command) {
 
   int status = done;
   if (!*report.valid) status = bug;
-  else if (interrupted()) status = refused;
+  else if (interrupted()) status = cancel(report);
   else if (!*report.goal_reached) status = unfinished;
   if (status == done || (status == unfinished && command.allow_unfinished)) {
     const auto writing = std::chrono::steady_clock::now();
@@ -64,23 +71,19 @@ int run(MeshCommand& command) {
   return status;
 }
 
-CLI::Validator number_from(double least, double most) {
-  return {[=](const std::string& text) {
-            double value = 0;
-            const bool fits =
-                CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
-            return fits ? std::string()
-                        : "give a number from " + to_text(least) + " to " + to_text(most);
-          },
-          ""};
-}
-
-CLI::Validator count() {
-  return {[](const std::string& text) {
-            const bool fits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
-            return fits ? std::string() : std::string("give a whole number from 1 on");
-          },
-          ""};
+// Options that would have no effect.
+void refuse_ignored(const CLI::App& app, const MeshCommand& command) {
+  refuse_repeated_regions(command.mesh.sizes);
+  const Placement placement = command.mesh.refine.placement;
+  if (app.count("--max-angle") > 0 &&
+      (placement == Placement::centroid || placement == Placement::midpoint)) {
+    throw CLI::ValidationError("--max-angle", "needs --placement offcentre or best");
+  }
+  if (command.mesh.method != Method::paper) return;
+  for (const std::string option : {"--effort", "--placement", "--max-angle"}) {
+    if (app.count(option) == 0) continue;
+    throw CLI::ValidationError(option, "goes with --method unified only");
+  }
 }
 
 void add_quality_options(CLI::App& app, MeshCommand& command) {
@@ -94,22 +97,26 @@ void add_quality_options(CLI::App& app, MeshCommand& command) {
   add_size_options(app, command.mesh.sizes, refine);
   app.add_option("--max-vertices", refine.max_vertices,
                  "budget of vertices (default: 50 times what input and sizes suggest)")
-      ->check(count());
-  static const std::map<std::string, Method> methods{{"unified", Method::unified},
-                                                     {"paper", Method::paper}};
+      ->check(whole_number_from(1));
+  static const std::vector<std::pair<std::string, Method>> methods{{"unified", Method::unified},
+                                                                   {"paper", Method::paper}};
   app.add_option("--method", command.mesh.method,
                  "unified: angles and obtuse angles in one loop; paper: the paper's two steps")
-      ->transform(CLI::CheckedTransformer(methods, CLI::ignore_case));
-  static const std::map<std::string, Placement> placements{{"centroid", Placement::centroid},
-                                                           {"midpoint", Placement::midpoint},
-                                                           {"offcentre", Placement::offcentre},
-                                                           {"best", Placement::best}};
-  app.add_option("--placement", refine.placement, "where a new point goes (default offcentre)")
-      ->transform(CLI::CheckedTransformer(placements, CLI::ignore_case));
-  static const std::map<std::string, Effort> efforts{
+      ->transform(choice_of(methods));
+  static const std::vector<std::pair<std::string, Placement>> placements{
+      {"centroid", Placement::centroid},
+      {"midpoint", Placement::midpoint},
+      {"offcentre", Placement::offcentre},
+      {"best", Placement::best}};
+  app.add_option(
+         "--placement", refine.placement,
+         "centroid, midpoint, offcentre or best: where a new point goes (default offcentre)")
+      ->transform(choice_of(placements));
+  static const std::vector<std::pair<std::string, Effort>> efforts{
       {"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}};
-  app.add_option("--effort", refine.effort, "time spent on fewer vertices (default normal)")
-      ->transform(CLI::CheckedTransformer(efforts, CLI::ignore_case));
+  app.add_option("--effort", refine.effort,
+                 "fast, normal or best: time spent on fewer vertices (default normal)")
+      ->transform(choice_of(efforts));
   app.add_flag("--no-nonobtuse", command.no_nonobtuse,
                "leave obtuse angles opposite boundary and interface edges");
 }
@@ -147,7 +154,10 @@ void add_mesh_command(CLI::App& app, int& status) {
       "  lepp mesh plate.geo -o plate.msh --size-file wells.txt --region-edge copper=0.1\n"
       "  lepp mesh old.msh -o better.msh --min-angle 28\n"
       "  lepp mesh plate.poly -o plate.ele --method paper");
-  mesh.callback([command, &status] { status = run(*command); });
+  mesh.callback([command, &mesh, &status] {
+    refuse_ignored(mesh, *command);
+    status = run(*command);
+  });
 }
 
 }  // namespace lepp::cli

@@ -35,6 +35,9 @@ class Pipeline {
 
   Meshed run() {
     report_.warnings = input_.warnings;
+    if (options_.sizes.grading && !options_.refine.size) {
+      report_.warnings.push_back("--grading has no effect: there are no sizes of points");
+    }
     triangulate();
     note_stage("triangulate", mesh_.vertex_count());
     report_.input_vertices = mesh_.vertex_count();
@@ -153,6 +156,8 @@ class Pipeline {
   // Checking and measuring take about as long as each other, and only read the mesh.
   void finish() {
     const bool is_large = mesh_.triangle_count() > 20'000;
+    std::optional<EndsAtOnce> nothing_to_lose;
+    if (!interrupted()) nothing_to_lose.emplace();  // else the report tells of what was cancelled
     in_parallel(
         is_large ? threads() : 1, [&] { report_.seconds.check += timed([&] { check(); }); },
         [&] {
@@ -163,7 +168,7 @@ class Pipeline {
     report_.quality = report_.stages.back().quality;
     report_.steiner_points = mesh_.vertex_count() - report_.input_vertices;
     report_.below_bound = count_reasons(refined_.unfinished);
-    report_.goal_reached = refined_.goal_reached;
+    report_.goal_reached = refined_.goal_reached && !interrupted();
   }
 
   unsigned threads() const {

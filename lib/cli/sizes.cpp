@@ -1,22 +1,17 @@
 #include "sizes.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
+#include <set>
 
-#include "lepp/geometry/text.hpp"
+#include "lepp/geometry/error.hpp"
 #include "lepp/io/size_file.hpp"
+#include "validators.hpp"
 
 namespace lepp::cli {
 
 namespace {
-
-CLI::Validator above_zero() {
-  return {[](const std::string& text) {
-            double value = 0;
-            const bool fits = CLI::detail::lexical_cast(text, value) && value > 0;
-            return fits ? std::string() : std::string("give a number above 0");
-          },
-          ""};
-}
 
 bool is_called(const Entities& entities, const SurfaceEntity& surface, const std::string& name) {
   if (std::to_string(surface.tag) == name) return true;
@@ -26,12 +21,8 @@ bool is_called(const Entities& entities, const SurfaceEntity& surface, const std
 void set_bound(const std::string& option, const std::string& text, double SurfaceEntity::*bound,
                Entities& entities) {
   const std::size_t sign = text.rfind('=');
-  double value = 0;
-  if (sign == text.npos || !CLI::detail::lexical_cast(text.substr(sign + 1), value) ||
-      !(value > 0)) {
-    throw InputError(option + " " + text, "is not REGION=VALUE with a value above 0",
-                     "write, for instance, " + option + " 2=0.05");
-  }
+  double value = 0;  // a number: the option was checked
+  std::from_chars(text.data() + sign + 1, text.data() + text.size(), value);
   const std::string name = text.substr(0, sign);
   bool found = false;
   for (SurfaceEntity& surface : entities.surfaces) {
@@ -46,21 +37,34 @@ void set_bound(const std::string& option, const std::string& text, double Surfac
   }
 }
 
+void refuse_repeated(const std::string& option, const std::vector<std::string>& texts) {
+  std::set<std::string> names;
+  for (const std::string& text : texts) {
+    const std::string name = text.substr(0, text.rfind('='));
+    if (names.insert(name).second) continue;
+    throw CLI::ValidationError(option, "region " + name + " is given twice");
+  }
+}
+
 }  // namespace
 
 void add_size_options(CLI::App& command, SizeOptions& sizes, RefineOptions& refine) {
-  command.add_option("--max-edge", refine.max_edge, "longest edge wanted")->check(above_zero());
-  command.add_option("--max-area", refine.max_area, "largest triangle wanted")->check(above_zero());
-  command.add_option("--region-edge", sizes.region_edges,
-                     "REGION=LENGTH: longest edge in a region (surface number or group name)");
-  command.add_option("--region-area", sizes.region_areas, "REGION=AREA: largest triangle in it");
+  command.add_option("--max-edge", refine.max_edge, "longest edge wanted")
+      ->check(number_above_zero());
+  command.add_option("--max-area", refine.max_area, "largest triangle wanted")
+      ->check(number_above_zero());
+  command
+      .add_option("--region-edge", sizes.region_edges,
+                  "REGION=LENGTH: longest edge in a region (surface number or group name)")
+      ->check(named_size());
+  command.add_option("--region-area", sizes.region_areas, "REGION=AREA: largest triangle in it")
+      ->check(named_size());
   command.add_option("--size-file", sizes.file,
                      "points with sizes, lines 'x y h': edges near (x, y) at most h long");
   command
       .add_option("--grading", sizes.grading,
-                  "how fast sizes of points grow with the distance from them")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+                  "how fast sizes of points grow with the distance from them (default 0.5)")
+      ->check(number_from(0, std::numeric_limits<double>::infinity()));
 }
 
 std::function<double(Point)> size_field(const SizeOptions& sizes, const Input& input) {
@@ -71,7 +75,12 @@ std::function<double(Point)> size_field(const SizeOptions& sizes, const Input& i
     sources.insert(sources.end(), more.begin(), more.end());
   }
   if (sources.empty()) return {};
-  return SizeField(std::move(sources), sizes.grading);
+  return SizeField(std::move(sources), sizes.grading.value_or(0.5));
+}
+
+void refuse_repeated_regions(const SizeOptions& sizes) {
+  refuse_repeated("--region-edge", sizes.region_edges);
+  refuse_repeated("--region-area", sizes.region_areas);
 }
 
 void set_region_sizes(const SizeOptions& sizes, Entities& entities) {

@@ -35,6 +35,40 @@ TEST_CASE("the version and the help are printed with status 0, usage errors have
   }
 }
 
+TEST_CASE("a wrong value of an option is a usage error that says what to give, in a line") {
+  const ScratchFolder folder;
+  write(folder.path() / "in.poly", square);
+  const std::pair<const char*, const char*> cases[] = {
+      {"--grading -1", "give a number from 0 on"},
+      {"--grading nan", "give a number from 0 on"},
+      {"--grading inf", "give a number from 0 on"},
+      {"--chord-tolerance 0", "give a number above 0"},
+      {"--max-edge inf", "give a number above 0"},
+      {"--max-vertices 0", "give a whole number from 1 on"},
+      {"--max-vertices 99999999999999999999", "give a whole number from 1 on"},
+      {"--effort foo", "'foo' is none of fast, normal, best"},
+      {"--effort 1", "'1' is none of fast, normal, best"},
+      {"--region-edge copper", "give REGION=VALUE"},
+      {"--region-edge copper=-1", "give REGION=VALUE"},
+      {"--region-area copper=nan", "give REGION=VALUE"},
+      {"--region-edge a=1 --region-edge a=2", "region a is given twice"},
+      {"--method paper --max-angle 90", "goes with --method unified only"},
+      {"--method paper --effort best", "goes with --method unified only"},
+      {"--max-angle 90 --placement midpoint", "needs --placement offcentre or best"}};
+  for (const auto& [options, message] : cases) {
+    CAPTURE(options);
+    const Outcome outcome = run(folder.path(), std::string("mesh in.poly -o x.msh ") + options);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == 1);
+    CHECK(has(outcome.err, message));
+    CHECK(outcome.err.size() < 200);
+  }
+  const Outcome idle = run(folder.path(), "mesh in.poly -o x.msh --grading 1");
+  CHECK(idle.status == 0);
+  CHECK(has(idle.out, "--grading has no effect"));
+  CHECK(run(folder.path(), "mesh in.poly -o x.msh --force -q --effort BEST").status == 0);
+}
+
 TEST_CASE("a mesh goes out as .msh, .vtu and .ele, and comes back") {
   const ScratchFolder folder;
   write(folder.path() / "in.poly", square);
