@@ -56,7 +56,7 @@ Input read_input(const std::filesystem::path& path, const GmshOptions& options) 
   if (of_gmsh.contains(kind)) {
     GmshInput gmsh = read_gmsh(path, options);
     return {std::move(gmsh.pslg), std::move(gmsh.triangles), gmsh.pieces_have_sizes,
-            std::move(gmsh.warnings)};
+            std::move(gmsh.inner_sizes), std::move(gmsh.warnings)};
   }
   if (kind == ".poly" || kind == ".node") {
     input.pslg = read_poly(path);

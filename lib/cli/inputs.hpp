@@ -16,6 +16,7 @@ struct Input {
   Pslg pslg;                              ///< of a mesh file: its outline, interfaces and lines
   std::optional<TriangleSoup> triangles;  ///< of mesh files only
   bool pieces_have_sizes = false;         ///< as GmshInput::pieces_have_sizes
+  std::vector<std::pair<Point, double>> inner_sizes;  ///< as GmshInput::inner_sizes
   std::vector<std::string> warnings;
 };
 

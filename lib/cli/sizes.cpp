@@ -70,6 +70,7 @@ void add_size_options(CLI::App& command, SizeOptions& sizes, RefineOptions& refi
 std::function<double(Point)> size_field(const SizeOptions& sizes, const Input& input) {
   std::vector<SizeSource> sources;
   if (input.pieces_have_sizes) sources = sizes_of_segments(input.pslg);
+  for (const auto& [at, size] : input.inner_sizes) sources.push_back({at, size, true});
   if (!sizes.file.empty()) {
     const auto more = read_size_file(sizes.file);
     sources.insert(sources.end(), more.begin(), more.end());

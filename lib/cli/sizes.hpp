@@ -22,7 +22,7 @@ struct SizeOptions {
 void add_size_options(CLI::App& command, SizeOptions& sizes, RefineOptions& refine);
 
 /// The field of the size file and, where the input's boundary was cut as its sizes ask for, of the
-/// boundary's pieces; null if there is neither.
+/// boundary's pieces and its points inside surfaces; null if there is neither.
 std::function<double(Point)> size_field(const SizeOptions& sizes, const Input& input);
 
 /// \throw CLI::ValidationError  for a region named twice in one option

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "boundary_points.hpp"
+#include "inner_sizes.hpp"
 #include "limits.hpp"
 #include "read_geometry.hpp"
 #include "read_mesh.hpp"
@@ -78,7 +79,10 @@ void read_file(const Arguments& arguments, GmshRecord& record) {
     add_mesh(record);
   } else {
     add_geometry(record);
-    if (arguments.own_points && !record.surfaces.empty()) add_own_points(record);
+    if (arguments.own_points && !record.surfaces.empty()) {
+      add_own_points(record);
+      add_inner_sizes(record);
+    }
   }
   add_warnings(record);
 }

@@ -94,6 +94,43 @@ TEST_CASE("curved groups converge to the true curve as h^2 under --max-edge") {
   CHECK(errors[2] < 0.35 * errors[1]);
 }
 
+TEST_CASE("sizes of a .geo hold inside surfaces too, or a warning says that they do not") {
+  const std::string square =
+      "Point(1)={0,0,0,h};Point(2)={1,0,0,h};Point(3)={1,1,0,h};Point(4)={0,1,0,h};\n"
+      "Line(1)={1,2};Line(2)={2,3};Line(3)={3,4};Line(4)={4,1};\n"
+      "Curve Loop(1)={1,2,3,4};Plane Surface(1)={1};\n";
+  const ScratchFolder folder;
+  const auto meshed = [&](const std::string& first, const std::string& more,
+                          const std::string& options = "") {
+    std::ofstream(folder.path() / "in.geo") << first << square << more;
+    const Outcome made = run(folder.path(), "mesh in.geo -o out.msh --force -q --json -" + options);
+    CAPTURE(made.err);
+    REQUIRE(made.status == 0);
+    return Json::parse(made.out);
+  };
+  const auto count = [](const Json& report) { return report["vertices"].get<int>(); };
+  const Json coarse = meshed("h = 0.3;\n", "");
+  CHECK(coarse["warnings"].empty());
+  CHECK(count(coarse) < 60);
+  const Json everywhere = meshed("h = 0.3;\n", "Mesh.MeshSizeMax = 0.05;\n");
+  CHECK(count(everywhere) > 400);  // 1 / (0.433 (1.25 0.05)^2) triangles
+  CHECK(count(everywhere) < 1500);
+  for (const std::string size : {"0.1", "0.01", "0.001"}) {
+    CAPTURE(size);
+    const std::string point = "Point(9) = {0.5, 0.5, 0, h9}; Point{9} In Surface{1};\n";
+    const Json at_point = meshed("h = 0.3; h9 = " + size + ";\n", point);
+    std::ofstream(folder.path() / "sizes.txt") << "0.5 0.5 " << size << "\n";
+    const Json by_file = meshed("h = 0.3; h9 = 0.3;\n", point, " --size-file sizes.txt");
+    CHECK(count(at_point) == doctest::Approx(count(by_file)).epsilon(0.1));
+  }
+  const Json field = meshed("h = 0.3;\n",
+                            "Field[1]=Box; Field[1].VIn=0.02; Field[1].VOut=0.3;\n"
+                            "Field[1].XMin=.3; Field[1].XMax=.7; Field[1].YMin=.3;\n"
+                            "Field[1].YMax=.7; Background Field=1;\n");
+  REQUIRE(field["warnings"].size() == 1);
+  CHECK(field["warnings"][0].get<std::string>().starts_with("the background field counts along"));
+}
+
 TEST_CASE("the paper's Example 1: three columns, as its Table 1") {
   const ScratchFolder folder;
   const Json report = mesh(folder, "example1_strip", "--method paper");

@@ -84,6 +84,14 @@ GmshInput read_script(const fs::path& file, const PrivateFolder& folder,
   const GmshRecord record = run(folder, {private_script_name, own_points, file.string()}, options);
   GmshInput input = pslg_from_gmsh(record, script, file.string(), options);
   input.pieces_have_sizes = own_points;
+  for (const auto& [position, size] : record.inner_sizes) {
+    input.inner_sizes.emplace_back(position, size);
+  }
+  if (script.sets_field) {
+    input.warnings.push_back(
+        "the background field counts along curves only, and inside surfaces sizes grow from there; "
+        "where it asks for smaller ones, give them with --size-file or --region-edge");
+  }
   put_in_front(record.warnings, input.warnings);
   put_in_front(std::move(script.warnings), input.warnings);
   return input;

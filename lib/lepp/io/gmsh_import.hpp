@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lepp/geometry/pslg.hpp"
@@ -31,6 +32,8 @@ struct GmshInput {
   std::optional<TriangleSoup> triangles;  ///< only of a .msh file
   /// The pieces of the boundary are Gmsh's, as long as the file's sizes ask for.
   bool pieces_have_sizes = false;
+  /// The sizes of points inside surfaces.
+  std::vector<std::pair<Point, double>> inner_sizes;
   std::vector<std::string> warnings;  ///< one sentence each, ready to print
 };
 
@@ -38,7 +41,8 @@ struct GmshInput {
 /// program lepp-gmsh: the library itself neither links nor runs Gmsh.
 ///
 /// Of a .geo file: points are the ends of curves, their pieces, and embedded points. Where the file
-/// sets sizes, Transfinite curves or fields, or with `gmsh_sizes`, the pieces are Gmsh's. Otherwise
+/// sets sizes, Transfinite curves or fields, or with `gmsh_sizes`, the pieces are Gmsh's, and
+/// Mesh.MeshSizeMax and the sizes of embedded points hold inside. Otherwise
 /// a straight curve is one piece, any other the fewest pieces within the chord tolerance that turn
 /// by at most 30 degrees each. Curved pieces that would collide are halved until they do not, so
 /// that a vertex put on the curve later stays on its side of everything else.

@@ -84,6 +84,8 @@ class Builder {
       SurfaceEntity& entity = surfaces.emplace_back();
       entity.tag = surface.tag;
       entity.attribute = surface.tag;
+      // As with sizes along the boundary, edges may be a quarter longer.
+      if (record_.largest_size) entity.max_edge = 1.25 * *record_.largest_size;
       entity.groups = groups_.ids(2, surface.groups);
     }
   }

@@ -154,6 +154,7 @@ void fields(auto& archive, Is<GmshSurface> auto& s) {
 void fields(auto& archive, Is<GmshTriangle> auto& t) { archive(t.tag, t.nodes, t.surface); }
 void fields(auto& archive, Is<GmshLine> auto& l) { archive(l.tag, l.nodes, l.curve); }
 void fields(auto& archive, Is<GmshNodeOfPoint> auto& p) { archive(p.tag, p.node, p.point); }
+void fields(auto& archive, Is<GmshSizeAt> auto& s) { archive(s.position, s.size); }
 void fields(auto& archive, Is<GmshMesh> auto& m) {
   archive(m.node_tags, m.coordinates, m.triangles, m.lines, m.points);
 }
@@ -161,11 +162,12 @@ void fields(auto& archive, Is<GmshFailure> auto& f) {
   archive(f.kind, f.where, f.problem, f.remedy);
 }
 void fields(auto& archive, Is<GmshRecord> auto& r) {
-  archive(r.failure, r.warnings, r.groups, r.points, r.curves, r.surfaces, r.mesh, r.own_points);
+  archive(r.failure, r.warnings, r.groups, r.points, r.curves, r.surfaces, r.mesh, r.own_points,
+          r.largest_size, r.inner_sizes);
 }
 
 constexpr std::array<char, 8> magic = {'l', 'e', 'p', 'p', 'g', 'm', 's', 'h'};
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 struct Envelope {
   std::array<char, 8> magic{};

@@ -67,6 +67,12 @@ struct GmshNodeOfPoint {
   int point = 0;
 };
 
+/// A size that Gmsh wants at a point that ends no curve.
+struct GmshSizeAt {
+  Point position;
+  double size = 0;
+};
+
 /// The elements of a .msh file. Curves and surfaces above carry its groups, not its shapes.
 struct GmshMesh {
   std::vector<std::int64_t> node_tags;
@@ -90,8 +96,10 @@ struct GmshRecord {
   std::vector<GmshPoint> points;
   std::vector<GmshCurve> curves;
   std::vector<GmshSurface> surfaces;
-  std::optional<GmshMesh> mesh;  ///< for .msh files
-  bool own_points = false;       ///< GmshCurve::inner is filled
+  std::optional<GmshMesh> mesh;         ///< for .msh files
+  bool own_points = false;              ///< GmshCurve::inner is filled
+  std::optional<double> largest_size;   ///< Mesh.MeshSizeMax, with the factor for all sizes
+  std::vector<GmshSizeAt> inner_sizes;  ///< at points embedded in surfaces
 };
 
 /// One record as bytes: magic, version, payload length, payload, checksum.

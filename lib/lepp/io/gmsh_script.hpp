@@ -15,6 +15,7 @@ struct CurveLoopText {
 /// What was seen while a .geo script was copied.
 struct GmshScript {
   bool sets_sizes = false;  ///< point sizes, Transfinite curves, fields, layers, size options
+  bool sets_field = false;  ///< a background field
   std::vector<CurveLoopText> loops;
   std::vector<std::string> warnings;
 };

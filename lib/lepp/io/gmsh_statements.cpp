@@ -178,6 +178,7 @@ class Inspector {
     if (is_blanked(tokens)) return blank(tokens);
     if (first.is("Include") || first.is("Merge")) return note_included(tokens);
     if (sets_size(tokens)) script_.sets_sizes = true;
+    if (starts_with(tokens, {"Background", "Field"})) script_.sets_field = true;
     if (auto loop = curve_loop(tokens)) script_.loops.push_back(std::move(*loop));
     warn_of_quads(tokens);
     return 1;
