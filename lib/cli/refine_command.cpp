@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <memory>
 
 #include "commands.hpp"
@@ -19,6 +18,7 @@
 #include "lepp/voronoi/admissible.hpp"
 #include "outputs.hpp"
 #include "regions.hpp"
+#include "validators.hpp"
 
 namespace lepp::cli {
 
@@ -199,30 +199,27 @@ void add_options(CLI::App& refine, RefineCommand& command) {
   refine
       .add_option("--max-edge", command.max_edge,
                   "edges of triangles that meet the region become shorter than this")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_zero());
   refine.add_option("--size-file", command.size_file,
                     "points with sizes, lines 'x y h': edges near (x, y) at most h long");
   refine
       .add_option("--grading", command.grading,
                   "how fast sizes grow with the distance from points and, by delaunay, regions")
-      ->check(CLI::Range(0.0, 0.9))
+      ->check(number_from(0, 0.9))
       ->capture_default_str();
-  static const std::map<std::string, By> ways{{"bisect", By::bisect}, {"delaunay", By::delaunay}};
   refine
       .add_option("--by", command.by,
                   "bisect: triangles are halved, nested in the old ones; delaunay: points are "
                   "inserted, the mesh stays admissible (default bisect)")
-      ->transform(CLI::CheckedTransformer(ways).description(""));
-  static const std::map<std::string, BisectionRule> rules{
-      {"longest-edge", BisectionRule::longest_edge},
-      {"newest-vertex", BisectionRule::newest_vertex}};
+      ->transform(choice_of<By>({{"bisect", By::bisect}, {"delaunay", By::delaunay}}));
   refine.add_option("--rule", command.rule, "which edge bisection cuts (default longest-edge)")
-      ->transform(CLI::CheckedTransformer(rules).description(""));
+      ->transform(choice_of<BisectionRule>({{"longest-edge", BisectionRule::longest_edge},
+                                            {"newest-vertex", BisectionRule::newest_vertex}}));
   refine.add_option("--min-angle", command.min_angle_deg, "smallest angle wanted, by delaunay")
-      ->check(CLI::Range(0.0, 45.0))
+      ->check(number_from(0, 45))
       ->capture_default_str();
   refine.add_option("--max-vertices", command.max_vertices, "stop at so many vertices")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number_from(1))
       ->capture_default_str();
 }
 
