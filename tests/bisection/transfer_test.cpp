@@ -1,0 +1,227 @@
+#include "lepp/bisection/transfer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/SparseCore>
+#include <cmath>
+#include <numeric>
+
+#include "lepp/bisection/transfer_matrix.hpp"
+#include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "support/random.hpp"
+#include "support/shapes.hpp"
+
+using namespace lepp;
+using test::Random;
+
+namespace {
+
+double linear(Point p) { return 0.75 + 2 * p.x - 3 * p.y; }
+
+std::vector<double> linear_at(const Mesh& mesh) {
+  std::vector<double> values;
+  for (const Point p : mesh.points()) values.push_back(linear(p));
+  return values;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+std::vector<double> areas_of(const Mesh& mesh) {
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const auto [a, b, c] = mesh.corners(TriangleId(i));
+    areas.push_back(signed_area(a, b, c));
+  }
+  return areas;
+}
+
+std::vector<TriangleId> some_triangles(const Mesh& mesh, Random& random, std::uint32_t one_in) {
+  std::vector<TriangleId> chosen;
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    if (random.one_in(one_in)) chosen.emplace_back(i);
+  }
+  return chosen;
+}
+
+std::vector<double> noise(std::size_t n, Random& random) {
+  std::vector<double> values(n);
+  for (double& value : values) value = random.real(-1, 1);
+  return values;
+}
+
+double integral(const std::vector<double>& densities, const std::vector<double>& areas) {
+  return std::inner_product(densities.begin(), densities.end(), areas.begin(), 0.0);
+}
+
+std::vector<double> times(const Eigen::SparseMatrix<double>& matrix, const std::vector<double>& x) {
+  REQUIRE(static_cast<std::size_t>(matrix.cols()) == x.size());
+  const Eigen::VectorXd y =
+      matrix * Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  return {y.begin(), y.end()};
+}
+
+Forest random_forest(std::uint64_t seed) {
+  std::mt19937_64 shape(seed);
+  return Forest(constrained_delaunay(test::random_star(shape, static_cast<int>(seed % 3))).mesh,
+                seed % 2 == 0 ? BisectionRule::longest_edge : BisectionRule::newest_vertex);
+}
+
+// Calls round(forest, random) for random domains, some refined already.
+void for_random_forests(auto round) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    Forest forest = random_forest(seed);
+    for (int i = 0; i < 3; ++i) forest.bisect(some_triangles(forest.mesh(), random, 3));
+    round(forest, random);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("vertex values of a linear function stay those of it through bisect and coarsen") {
+  for_random_forests([](Forest& forest, Random& random) {
+    std::vector<double> values = linear_at(forest.mesh());
+    for (int i = 0; i < 8; ++i) {
+      if (random.one_in(2)) {
+        transfer_vertices(forest.bisect(some_triangles(forest.mesh(), random, 3)), values);
+      } else {
+        transfer_vertices(forest.coarsen(some_triangles(forest.mesh(), random, 1)), values);
+      }
+      CHECK(largest_difference(values, linear_at(forest.mesh())) < 1e-14);
+    }
+  });
+}
+
+TEST_CASE("points transfer to the points of the mesh, bit for bit") {
+  for_random_forests([](Forest& forest, Random& random) {
+    std::vector<Point> points(forest.mesh().points().begin(), forest.mesh().points().end());
+    const auto same = [&] { return std::ranges::equal(points, forest.mesh().points()); };
+    transfer_vertices(forest.bisect(some_triangles(forest.mesh(), random, 2)), points);
+    CHECK(same());
+    transfer_vertices(forest.coarsen(some_triangles(forest.mesh(), random, 1)), points);
+    CHECK(same());
+  });
+}
+
+TEST_CASE("triangle values keep their integral through random rounds of bisect and coarsen") {
+  for_random_forests([](Forest& forest, Random& random) {
+    std::vector<double> densities = noise(forest.mesh().triangle_count(), random);
+    const double before = integral(densities, areas_of(forest.mesh()));
+    for (int i = 0; i < 10; ++i) {
+      if (random.one_in(2)) {
+        transfer_triangles(forest.bisect(some_triangles(forest.mesh(), random, 3)), densities);
+      } else {
+        std::vector<double> areas = areas_of(forest.mesh());
+        transfer_triangles(forest.coarsen(some_triangles(forest.mesh(), random, 1)), densities,
+                           areas);
+        CHECK(largest_difference(areas, areas_of(forest.mesh())) < 1e-15);
+      }
+      CHECK(std::abs(integral(densities, areas_of(forest.mesh())) - before) < 1e-12);
+    }
+  });
+}
+
+TEST_CASE("halves of equal area need no areas; tags are inherited, triangle by triangle") {
+  for_random_forests([](Forest& forest, Random& random) {
+    std::vector<std::uint32_t> roots;
+    for (std::size_t i = 0; i < forest.mesh().triangle_count(); ++i) {
+      roots.push_back(forest.root(TriangleId(i)).value);
+    }
+    transfer_triangles(forest.bisect(some_triangles(forest.mesh(), random, 2)), roots);
+    REQUIRE(roots.size() == forest.mesh().triangle_count());
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      REQUIRE(roots[i] == forest.root(TriangleId(i)).value);
+    }
+    std::vector<double> densities = noise(roots.size(), random), weighted = densities;
+    std::vector<double> areas = areas_of(forest.mesh());
+    const Coarsening coarsening = forest.coarsen(some_triangles(forest.mesh(), random, 1));
+    REQUIRE(!coarsening.triangles.empty());
+    transfer_triangles(coarsening, densities);
+    transfer_triangles(coarsening, weighted, areas);
+    CHECK(largest_difference(densities, weighted) < 1e-12);
+  });
+}
+
+TEST_CASE("matrices of a refinement do what replaying its log does") {
+  for_random_forests([](Forest& forest, Random& random) {
+    const std::size_t vertices = forest.mesh().vertex_count();
+    const std::size_t triangles = forest.mesh().triangle_count();
+    const Refinement done = forest.bisect(some_triangles(forest.mesh(), random, 2));
+    REQUIRE(!done.vertices.empty());
+    const auto P = prolongation(done, vertices);
+    CHECK(static_cast<std::size_t>(P.rows()) == forest.mesh().vertex_count());
+
+    std::vector<double> values = noise(vertices, random);
+    const std::vector<double> by_matrix = times(P, values);
+    transfer_vertices(done, values);
+    CHECK(largest_difference(values, by_matrix) < 1e-15);
+
+    std::vector<double> loads = noise(forest.mesh().vertex_count(), random);
+    const std::vector<double> restricted = times(restriction(done, vertices), loads);
+    const double whole = std::accumulate(loads.begin(), loads.end(), 0.0);
+    restrict_loads(done, loads);
+    CHECK(largest_difference(loads, restricted) < 1e-13);
+    CHECK(std::abs(std::accumulate(loads.begin(), loads.end(), 0.0) - whole) < 1e-12);
+
+    std::vector<double> densities = noise(triangles, random);
+    const std::vector<double> inherited = times(triangle_prolongation(done, triangles), densities);
+    transfer_triangles(done, densities);
+    CHECK(densities == inherited);
+  });
+}
+
+TEST_CASE("matrices of a coarsening do what replaying its log does") {
+  for_random_forests([](Forest& forest, Random& random) {
+    const std::size_t vertices = forest.mesh().vertex_count();
+    std::vector<double> areas = areas_of(forest.mesh());
+    const Coarsening done = forest.coarsen(some_triangles(forest.mesh(), random, 1));
+    REQUIRE(!done.vertices.empty());
+
+    std::vector<double> values = noise(vertices, random);
+    const std::vector<double> injected = times(injection(done, vertices), values);
+    transfer_vertices(done, values);
+    CHECK(values == injected);
+
+    std::vector<double> densities = noise(areas.size(), random);
+    const std::vector<double> means = times(triangle_averaging(done, areas), densities);
+    transfer_triangles(done, densities, areas);
+    CHECK(largest_difference(densities, means) < 1e-14);
+  });
+}
+
+TEST_CASE("vertices between vertices of the same call: weights of an eighth and more") {
+  Forest forest(constrained_delaunay(test::unit_square()).mesh);
+  Refinement all;  // as if it were one call
+  const std::size_t before = forest.mesh().vertex_count();
+  for (int i = 0; i < 6; ++i) {
+    std::vector<TriangleId> triangles;
+    for (std::size_t t = 0; t < forest.mesh().triangle_count(); ++t) triangles.emplace_back(t);
+    const Refinement one = forest.bisect(triangles);
+    all.vertices.insert(all.vertices.end(), one.vertices.begin(), one.vertices.end());
+  }
+  const auto P = prolongation(all, before);
+  std::vector<double> values = {1, 2, 4, 8};
+  const std::vector<double> by_matrix = times(P, values);
+  transfer_vertices(all, values);
+  CHECK(values == by_matrix);  // sums of few powers of two: no rounding
+  const Eigen::VectorXd row_sums = P * Eigen::VectorXd::Ones(P.cols());
+  CHECK(row_sums.minCoeff() == 1);
+  CHECK(row_sums.maxCoeff() == 1);
+}
+
+TEST_CASE("a call that changes nothing is the identity") {
+  Forest forest(constrained_delaunay(test::unit_square()).mesh);
+  std::vector<double> values = {1, 2, 3, 4};
+  const Coarsening done = forest.coarsen(std::vector{TriangleId(0U)});
+  transfer_vertices(done, values);
+  CHECK(values == std::vector<double>{1, 2, 3, 4});
+  CHECK(times(injection(done, 4), values) == values);
+  CHECK(times(prolongation({}, 4), values) == values);
+}
