@@ -4,29 +4,10 @@
 #include <cmath>
 
 #include "lepp/geometry/triangle_measures.hpp"
+#include "triangle_rule.hpp"
 
 namespace lepp::demo {
 namespace {
-
-struct QuadraturePoint {
-  std::array<double, 3> at;  ///< barycentric
-  double weight;             ///< of the area
-};
-
-/// Radon's rule: the centroid and two orbits of three points.
-std::array<QuadraturePoint, 7> radon_rule() {
-  const double root = std::sqrt(15.0);
-  std::array<QuadraturePoint, 7> rule{};
-  rule[0] = {{1.0 / 3, 1.0 / 3, 1.0 / 3}, 9.0 / 40};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double near = (6 + root) / 21, far = (6 - root) / 21;
-    rule[1 + i] = {{near, near, near}, (155 + root) / 1200};
-    rule[1 + i].at[i] = 1 - 2 * near;
-    rule[4 + i] = {{far, far, far}, (155 - root) / 1200};
-    rule[4 + i].at[i] = 1 - 2 * far;
-  }
-  return rule;
-}
 
 /// Gradient of the linear function with values u at the corners x.
 Point gradient_of(const std::array<Point, 3>& x, const std::array<double, 3>& u) {
@@ -39,7 +20,7 @@ Point gradient_of(const std::array<Point, 3>& x, const std::array<double, 3>& u)
 }  // namespace
 
 ErrorNorms error_norms(const Mesh& mesh, const Eigen::VectorXd& u, const ExactSolution& exact) {
-  const auto rule = radon_rule();
+  const auto& rule = radon_rule();
   double squared_value = 0, squared_gradient = 0;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);

@@ -1,0 +1,300 @@
+#include "multigrid.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <ranges>
+
+#include "lepp/bisection/transfer.hpp"
+#include "lepp/geometry/error.hpp"
+
+namespace lepp::demo {
+namespace {
+
+/// Ids of all triangles.
+std::vector<TriangleId> all_triangles(const Mesh& mesh) {
+  std::vector<TriangleId> all;
+  all.reserve(mesh.triangle_count());
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) all.emplace_back(t);
+  return all;
+}
+
+/// The triangles that were joined, by the ids they have at the end.
+class JoinedTriangles {
+ public:
+  explicit JoinedTriangles(std::size_t triangles) : joined_(triangles, 0) {}
+
+  std::vector<TriangleId> after(const Coarsening& coarsening) {
+    std::vector<TriangleId> found;
+    for (const auto& [whole, other] : coarsening.triangles) {
+      joined_[whole.index()] = 1;
+      found.push_back(whole);
+      if (joined_.back() != 0) found.push_back(other);  // takes over the id
+      joined_[other.index()] = joined_.back();
+      joined_.pop_back();
+    }
+    std::erase_if(found, [&](TriangleId t) {  // moved since, or found twice
+      return t.index() >= joined_.size() || std::exchange(joined_[t.index()], 0) == 0;
+    });
+    return found;
+  }
+
+ private:
+  std::vector<char> joined_;
+};
+
+/// All that touch one of these triangles.
+std::vector<TriangleId> around(const Mesh& mesh, const std::vector<TriangleId>& triangles) {
+  std::vector<TriangleId> found;
+  for (const TriangleId t : triangles) {
+    for (const VertexId v : mesh.vertices(t)) {
+      for_each_in_fan(mesh, v, [&](TriangleId u, std::uint32_t) { found.push_back(u); });
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Hierarchy hierarchy_of(Forest forest) {
+  Hierarchy hierarchy;
+  hierarchy.vertices = forest.mesh().vertex_count();
+  std::vector<VertexId> finest;  // the id that a vertex has in the finest mesh
+  finest.reserve(hierarchy.vertices);
+  for (std::size_t v = 0; v < hierarchy.vertices; ++v) finest.emplace_back(v);
+  JoinedTriangles joined(forest.mesh().triangle_count());
+  std::vector<TriangleId> marked = all_triangles(forest.mesh());
+  while (true) {  // ends: vertices become fewer
+    const Coarsening coarsening = forest.coarsen(marked);
+    if (coarsening.vertices.empty()) return hierarchy;
+    auto& removed = hierarchy.removed.emplace_back();
+    removed.reserve(coarsening.vertices.size());
+    for (const auto& [v, a, b] : coarsening.vertices) {
+      removed.push_back({finest[v.index()], finest[a.index()], finest[b.index()]});
+      finest[v.index()] = finest.back();
+      finest.pop_back();
+    }
+    marked = around(forest.mesh(), joined.after(coarsening));
+  }
+}
+
+// The matrix of the present level, in the place that the finest one needs: rows lose entries, or
+// exchange them, as vertices are removed.
+//
+//        c                 v = (a + b) / 2: its row and column are added by halves to those of a
+//      / | \               and b. Those have entries for c and d already, and where they had one
+//     a--v--b              for v they now have one for each other; c and d lose theirs.
+//      \ | /
+//        d
+class Multigrid::Elimination {
+ public:
+  explicit Elimination(const SparseMatrix& K);
+
+  void remove(std::uint32_t v, std::uint32_t a, std::uint32_t b);
+  std::span<const Entry> row(std::uint32_t k) const {
+    return std::span(entries_).subspan(begin_[k], length_[k]);
+  }
+  double diagonal(std::uint32_t k) const { return diagonal_[k]; }
+  bool is_left(std::uint32_t k) const { return left_[k] != 0; }
+  std::size_t size() const { return diagonal_.size(); }
+
+ private:
+  Entry& at(std::uint32_t k, std::uint32_t column) {
+    std::size_t i = begin_[k];
+    while (entries_[i].column != column) ++i;  // ends: neighbours have entries for each other
+    return entries_[i];
+  }
+  void drop(std::uint32_t k, std::uint32_t column) {
+    at(k, column) = entries_[begin_[k] + length_[k] - 1];
+    --length_[k];
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> begin_;
+  std::vector<std::uint32_t> length_;
+  std::vector<double> diagonal_;
+  std::vector<char> left_;
+};
+
+Multigrid::Elimination::Elimination(const SparseMatrix& K)
+    : diagonal_(static_cast<std::size_t>(K.cols()), 0.0) {
+  const std::size_t n = diagonal_.size();
+  begin_.reserve(n);
+  length_.reserve(n);
+  left_.assign(n, 1);
+  entries_.reserve(static_cast<std::size_t>(K.nonZeros()));
+  for (std::size_t k = 0; k < n; ++k) {
+    begin_.push_back(entries_.size());
+    for (SparseMatrix::InnerIterator entry(K, static_cast<Eigen::Index>(k)); entry; ++entry) {
+      const auto l = static_cast<std::uint32_t>(entry.row());
+      if (l == k) diagonal_[k] = entry.value();
+      else entries_.push_back({l, entry.value()});
+    }
+    length_.push_back(static_cast<std::uint32_t>(entries_.size() - begin_.back()));
+  }
+}
+
+void Multigrid::Elimination::remove(std::uint32_t v, std::uint32_t a, std::uint32_t b) {
+  const double quarter = diagonal_[v] / 4, to_a = at(v, a).value, to_b = at(v, b).value;
+  diagonal_[a] += to_a + quarter;
+  diagonal_[b] += to_b + quarter;
+  const double between = (to_a + to_b) / 2 + quarter;
+  at(a, v) = {b, between};
+  at(b, v) = {a, between};
+  for (const auto& [c, value] : row(v)) {
+    if (c == a || c == b) continue;
+    drop(c, v);
+    for (const std::uint32_t end : {a, b}) {
+      at(end, c).value += value / 2;
+      at(c, end).value += value / 2;
+    }
+  }
+  left_[v] = 0;
+}
+
+Multigrid::Multigrid(const SparseMatrix& K, std::span<const char> free,
+                     const Hierarchy& hierarchy) {
+  Elimination rest(K);
+  std::vector<std::uint32_t> listed(free.size(), 0);  // the last level that has a row of it, + 1
+  std::uint32_t number = 0;
+  const auto add_row = [&](std::uint32_t k) {
+    if (free[k] == 0 || listed[k] == number) return;
+    listed[k] = number;
+    rows_.push_back({k, entries_.size(), rest.diagonal(k)});
+    for (const Entry& entry : rest.row(k)) {
+      if (free[entry.column] != 0) entries_.push_back(entry);
+    }
+  };
+  for (const std::vector<NewVertex>& removed : hierarchy.removed) {
+    ++number;
+    Level level{rows_.size(), 0, removed_.size(), 0};
+    for (const auto& [v, a, b] : removed) {
+      add_row(v.value);
+      add_row(a.value);
+      add_row(b.value);
+    }
+    for (const auto& [v, a, b] : removed) {
+      rest.remove(v.value, a.value, b.value);
+      if (free[v.index()] != 0) removed_.push_back({v.value, a.value, b.value});
+    }
+    level.rows_end = rows_.size();
+    level.removed_end = removed_.size();
+    levels_.push_back(level);
+  }
+  rows_.push_back({0, entries_.size(), 1});
+  for (std::uint32_t k = 0; k < free.size(); ++k) {
+    if (free[k] != 0 && rest.is_left(k)) coarsest_.push_back(k);
+  }
+  factorise_coarsest(rest);
+}
+
+void Multigrid::factorise_coarsest(const Elimination& rest) {
+  if (coarsest_.empty()) return;
+  std::vector<int> number(rest.size(), -1);
+  for (std::size_t i = 0; i < coarsest_.size(); ++i) number[coarsest_[i]] = static_cast<int>(i);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const std::uint32_t k : coarsest_) {
+    entries.emplace_back(number[k], number[k], rest.diagonal(k));
+    for (const auto& [l, value] : rest.row(k)) {
+      if (number[l] >= 0) entries.emplace_back(number[k], number[l], value);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(coarsest_.size());
+  SparseMatrix A(n, n);
+  A.setFromTriplets(entries.begin(), entries.end());
+  coarsest_factors_.compute(A);
+  if (coarsest_factors_.info() != Eigen::Success || coarsest_factors_.vectorD().minCoeff() <= 0) {
+    throw InputError("the linear system", "is not positive definite",
+                     "check the coefficients, and that each part has a Dirichlet or Robin value");
+  }
+}
+
+void Multigrid::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
+  residual_ = r;
+  z.setZero(r.size());
+  for (const Level& level : levels_) go_down(level);
+  if (!coarsest_.empty()) {
+    Eigen::VectorXd right(static_cast<Eigen::Index>(coarsest_.size()));
+    for (std::size_t i = 0; i < coarsest_.size(); ++i) {
+      right[static_cast<Eigen::Index>(i)] = residual_[coarsest_[i]];
+    }
+    const Eigen::VectorXd values = coarsest_factors_.solve(right);
+    for (std::size_t i = 0; i < coarsest_.size(); ++i) {
+      z[coarsest_[i]] = values[static_cast<Eigen::Index>(i)];
+    }
+  }
+  for (const Level& level : std::views::reverse(levels_)) go_up(level, z);
+}
+
+// Gauss-Seidel that keeps the residual up to date: a row is a column too.
+void Multigrid::go_down(const Level& level) const {
+  for (std::size_t i = level.rows_begin; i < level.rows_end; ++i) {
+    rows_[i].right = residual_[rows_[i].vertex];
+  }
+  for (std::size_t i = level.rows_begin; i < level.rows_end; ++i) {
+    Row& row = rows_[i];
+    row.before = residual_[row.vertex] / row.diagonal;
+    residual_[row.vertex] = 0;
+    for (const auto& [l, value] : entries(i)) residual_[l] -= value * row.before;
+  }
+  for (std::size_t i = level.removed_begin; i < level.removed_end; ++i) {
+    const auto& [v, a, b] = removed_[i];
+    residual_[a] += residual_[v] / 2;
+    residual_[b] += residual_[v] / 2;
+  }
+}
+
+void Multigrid::go_up(const Level& level, Eigen::VectorXd& z) const {
+  for (std::size_t i = level.removed_begin; i < level.removed_end; ++i) {
+    const auto& [v, a, b] = removed_[i];
+    z[v] = (z[a] + z[b]) / 2;
+  }
+  for (std::size_t i = level.rows_begin; i < level.rows_end; ++i) {
+    z[rows_[i].vertex] += rows_[i].before;
+  }
+  for (std::size_t i = level.rows_end; i-- > level.rows_begin;) {
+    const Row& row = rows_[i];
+    double sum = row.right;
+    for (const auto& [l, value] : entries(i)) sum -= value * z[l];
+    z[row.vertex] = sum / row.diagonal;
+  }
+}
+
+IterativeSolution solve_iteratively(const LinearSystem& system, std::span<const char> free,
+                                    const Multigrid& multigrid, Eigen::VectorXd start,
+                                    double reduction) {
+  constexpr std::size_t most_iterations = 200;
+  const auto on_free = [&](Eigen::VectorXd x) {
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      if (free[static_cast<std::size_t>(k)] == 0) x[k] = 0;
+    }
+    return x;
+  };
+  const auto times_K = [&](const Eigen::VectorXd& x) {  // K is symmetric, and rows are faster
+    return on_free(system.K.transpose() * x);
+  };
+  IterativeSolution solution;
+  Eigen::VectorXd z;
+  Eigen::VectorXd r = on_free(system.b - system.K.transpose() * (start - on_free(start)));
+  multigrid.apply(r, z);
+  const double goal = reduction * reduction * r.dot(z);
+  r -= times_K(on_free(start));
+  solution.u = std::move(start);
+  multigrid.apply(r, z);
+  double squared = r.dot(z);
+  Eigen::VectorXd p = z;
+  while (squared > goal && solution.iterations < most_iterations) {
+    const Eigen::VectorXd q = times_K(p);
+    const double step = squared / p.dot(q);
+    solution.u += step * p;
+    r -= step * q;
+    multigrid.apply(r, z);
+    const double next = r.dot(z);
+    p = z + (next / squared) * p;
+    squared = next;
+    ++solution.iterations;
+  }
+  solution.converged = squared <= goal;
+  return solution;
+}
+
+}  // namespace lepp::demo

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lepp/bisection/forest.hpp"
+#include "linear_system.hpp"
+
+namespace lepp::demo {
+
+/// Nested meshes from the one of a forest down to its roots: each has all vertices of the one
+/// before it but some, and each of those lay between two that stay. Ids are those of the finest.
+struct Hierarchy {
+  std::vector<std::vector<NewVertex>> removed;  ///< the finest mesh first
+  std::size_t vertices = 0;                     ///< of the finest mesh
+};
+
+/// Coarsens the forest as often as that changes something.
+/// Cost  O(triangles), however many levels there are: after the first call only what changed, and
+///       what touches it, is tried again
+Hierarchy hierarchy_of(Forest forest);
+
+/// One symmetric V-cycle as a preconditioner. On each level Gauss-Seidel runs over the vertices
+/// that the next level lacks and those that they lie between, forwards on the way down and
+/// backwards on the way up; all other values are as smooth as the next level needs them. So one
+/// cycle costs as much as there are vertices, on meshes with any grading.
+/// Coarse matrices are P^T A P, made row by row as vertices are removed.
+/// Source  [chen2012]; docs/algorithms/adaptive.md
+class Multigrid {
+ public:
+  /// \param K     symmetric, positive definite on the free vertices; its entries are the mesh's
+  ///              edges and diagonals, whatever their values
+  /// \param free  one per vertex: 0 where a value is given. Those between two given ones may be
+  /// free
+  Multigrid(const SparseMatrix& K, std::span<const char> free, const Hierarchy& hierarchy);
+
+  /// z is about K^-1 r; 0 where values are given. Not for two threads at once.
+  void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
+
+  std::size_t levels() const { return levels_.size(); }
+
+ private:
+  struct Removed {
+    std::uint32_t v, a, b;
+  };
+  struct Entry {
+    std::uint32_t column;
+    double value;
+  };
+  // A row that is smoothed; its entries off the diagonal end where those of the next one start.
+  struct Row {
+    std::uint32_t vertex;
+    std::size_t begin;
+    double diagonal;
+    double right = 0, before = 0;  // of one cycle: right-hand side, and value after the way down
+  };
+  struct Level {
+    std::size_t rows_begin, rows_end;
+    std::size_t removed_begin, removed_end;
+  };
+  class Elimination;
+
+  std::span<const Entry> entries(std::size_t row) const {
+    return std::span(entries_).subspan(rows_[row].begin, rows_[row + 1].begin - rows_[row].begin);
+  }
+  void factorise_coarsest(const Elimination& rest);
+  void go_down(const Level& level) const;
+  void go_up(const Level& level, Eigen::VectorXd& z) const;
+
+  std::vector<Level> levels_;
+  std::vector<Removed> removed_;
+  mutable std::vector<Row> rows_;  // and one that ends the last
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> coarsest_;  // free vertices of the roots
+  Eigen::SimplicialLDLT<SparseMatrix> coarsest_factors_;
+  mutable Eigen::VectorXd residual_;
+};
+
+struct IterativeSolution {
+  Eigen::VectorXd u;
+  std::size_t iterations = 0;
+  bool converged = false;
+};
+
+/// Conjugate gradients with that preconditioner, from `start`, which has the given values already.
+/// \param reduction  of the error in the norm of B K, about the energy norm, against that of the
+///                   start that is 0 at all free vertices
+IterativeSolution solve_iteratively(const LinearSystem& system, std::span<const char> free,
+                                    const Multigrid& multigrid, Eigen::VectorXd start,
+                                    double reduction = 1e-8);
+
+}  // namespace lepp::demo
