@@ -24,7 +24,8 @@ class AngleTest {
   explicit AngleTest(double min_angle_deg, double max_angle_deg = 180)
       : squared_cos_(min_angle_deg > 0 ? squared_cos(min_angle_deg - forgiven_deg) : 2),
         largest_(max_angle_deg),
-        squared_cos_of_largest_(squared_cos(max_angle_deg + forgiven_deg)) {}
+        cos_largest_(std::cos(radians(max_angle_deg + forgiven_deg))),
+        sin_largest_(std::sin(radians(max_angle_deg + forgiven_deg))) {}
 
   bool is_bad(Point a, Point b, Point c) const { return is_below(a, b, c) || is_above(a, b, c); }
 
@@ -36,14 +37,10 @@ class AngleTest {
   bool is_below(SquaredCos smallest) const { return smallest > squared_cos_; }
   /// False if no triangle is_above() the bound.
   bool has_largest() const { return largest_ < 180; }
-  /// Exact where the bound is 90 degrees.
+  /// Exact where the bound is 90 degrees. All three corners are asked: which side of a needle is
+  /// the longest is lost in rounding.
   bool is_above(Point a, Point b, Point c) const {
-    if (largest_ >= 180) return false;
-    const double l_ab = squared_distance(a, b), l_bc = squared_distance(b, c),
-                 l_ca = squared_distance(c, a);
-    if (l_ab >= l_bc && l_ab >= l_ca) return is_above_at(a, c, b, l_bc * l_ca);
-    if (l_bc >= l_ca) return is_above_at(b, a, c, l_ca * l_ab);
-    return is_above_at(c, b, a, l_ab * l_bc);
+    return largest_ < 180 && (is_above_at(a, b, c) || is_above_at(b, c, a) || is_above_at(c, a, b));
   }
   /// cos^2 of the smallest angle: from 1/4 (equilateral) to 1 (flat).
   static double badness(Point a, Point b, Point c) {
@@ -60,11 +57,10 @@ class AngleTest {
     const double twice_dot = l_ab + l_bc + l_ca - 2 * longest;  // at the largest angle
     if (twice_dot >= 0) return small;
     const double large = 0.25 * squared(twice_dot) / (l_ab * l_bc * l_ca / longest);
-    return std::max(small, large - squared_cos_of_largest_);
+    return std::max(small, large - squared(cos_largest_));
   }
   static double squared_cos(double angle_deg) {
-    const double cosine = std::cos(angle_deg * std::numbers::pi / 180);
-    return cosine * cosine;
+    return squared(std::cos(radians(angle_deg)));
   }
 
   /// The smallest angle faces the shortest side, so that nothing cancels in the law of cosines. No
@@ -82,16 +78,19 @@ class AngleTest {
   // Half of what the report forgives, so that rounding never parts the two.
   static constexpr double forgiven_deg = 5e-10;
   static double squared(double x) { return x * x; }
+  static double radians(double deg) { return deg * std::numbers::pi / 180; }
 
-  bool is_above_at(Point a, Point apex, Point b, double squared_lengths) const {
+  // The sine of the difference between the angle and its bound, both above 90 degrees.
+  bool is_above_at(Point a, Point apex, Point b) const {
     if (largest_ == 90) return is_obtuse(a, apex, b);
-    const double d = dot(a - apex, b - apex);
-    return d < 0 && squared(d) > squared_cos_of_largest_ * squared_lengths;
+    const Point u = a - apex, w = b - apex;
+    const double d = dot(u, w);
+    return d < 0 && cos_largest_ * std::abs(cross(u, w)) > sin_largest_ * d;
   }
 
   double squared_cos_;  // of the smallest angle allowed
   double largest_;      // in degrees
-  double squared_cos_of_largest_;
+  double cos_largest_, sin_largest_;
 };
 
 }  // namespace lepp

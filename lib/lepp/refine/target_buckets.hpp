@@ -36,6 +36,10 @@ class TargetBuckets {
     const auto [a, b, c] = mesh.corners(t);
     return angle_.is_below(a, b, c);
   }
+  bool has_large_angle(const Mesh& mesh, TriangleId t) const {
+    const auto [a, b, c] = mesh.corners(t);
+    return angle_.is_above(a, b, c);
+  }
 
  private:
   static constexpr std::size_t angle_buckets = 4;

@@ -71,6 +71,8 @@ bool UnifiedLoop::is_improvable(TriangleId t) const {
   };
   if (std::ranges::count_if(mesh_.vertices(t), is_on_input) < 2) return true;
   if (targets_.is_too_large(t)) return true;
+  // What excuses a small angle does not excuse a large one.
+  if (targets_.has_large_angle(mesh_, t)) return !is_at_feature(t);
   return !is_between_constrained(t) && !is_seditious_there(t) && !is_at_feature(t);
 }
 
