@@ -2,10 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
 
 namespace lepp {
+
+namespace {
+
+// True if a side of `t` is an input segment shorter than `limit`, never cut.
+bool has_whole_segment(const Mesh& mesh, TriangleId t, double limit) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge e{t, i};
+    const VertexId a = mesh.origin(e), b = mesh.destination(e);
+    if (!mesh.is_constrained(e) || !mesh.is_input(a) || !mesh.is_input(b)) continue;
+    if (squared_distance(mesh.point(a), mesh.point(b)) < limit * limit) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::string to_string(Reason reason) {
   switch (reason) {
@@ -39,12 +56,33 @@ bool InputReasons::by_angle(TriangleId t) const {
   return in_wedge || shortest_edge_is_seditious(mesh_, t);
 }
 
-bool InputReasons::by_feature(TriangleId t) const { return at_input_feature(mesh_, t, 2 * floor_); }
+bool InputReasons::by_feature(TriangleId t) const {
+  return at_input_feature(mesh_, t, 2 * floor_) || has_whole_segment(mesh_, t, 2 * floor_);
+}
 
 std::optional<Reason> InputReasons::of(TriangleId t) const {
   if (by_angle(t)) return Reason::input_angle;
   if (by_feature(t)) return Reason::input_feature;
   return std::nullopt;
+}
+
+//          P     the angle at P is obtuse if Q lies beyond the perpendicular to OP at P, by
+//   O------|     `beyond`; with equal sides Q lies before it, by |PQ|^2 / (2 |OP|)
+//     -----Q
+bool is_obtuse_by_rounding(const Mesh& mesh, TriangleId t) {
+  if (!smallest_angle_between_constrained(mesh, t)) return false;
+  const HalfEdge e{t, smallest_corner(mesh, t)};
+  const Point o = mesh.point(mesh.apex(e));
+  Point p = mesh.point(mesh.origin(e)), q = mesh.point(mesh.destination(e));
+  if (is_obtuse(o, q, p)) std::swap(p, q);
+  if (!is_obtuse(o, p, q)) return false;
+  double largest = 0;
+  for (const Point corner : {o, p, q}) {
+    largest = std::max({largest, std::abs(corner.x), std::abs(corner.y)});
+  }
+  const double rounding = 4 * 0x1p-52 * largest, length = std::sqrt(squared_distance(o, p));
+  const double beyond = -dot(o - p, q - p) / length;
+  return squared_distance(p, q) <= 2 * rounding * length && beyond <= rounding;
 }
 
 double default_size_floor(const Mesh& mesh) {

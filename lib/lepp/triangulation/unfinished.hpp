@@ -11,9 +11,9 @@ namespace lepp {
 /// Why a triangle breaks a bound that was asked for.
 enum class Reason {
   input_angle,    ///< forced by two constrained edges that meet below 60 degrees
-  input_feature,  ///< the input has features below the size floor there
-  size_floor,     ///< a split would make edges too short for the coordinates
-  budget,         ///< --max-vertices, or the default budget, is used up
+  input_feature,  ///< the input is finer than twice the size floor there
+  size_floor,     ///< splits there end at edges too short for the coordinates
+  budget,         ///< --max-vertices, or the default budget, is used up, or a part of it in vain
   cancelled,      ///< the caller said stop
   method,         ///< the method asked for does not promise more (the paper's post-process)
 };
@@ -36,9 +36,10 @@ class InputReasons {
   explicit InputReasons(const Mesh& mesh);
 
   /// True where the smallest angle of `t` lies in a wedge of constrained edges below 60 degrees,
-  /// or its shortest edge is seditious there. Excuses a small angle, never an obtuse one.
+  /// or its shortest edge is seditious there. Excuses a small angle, never a large one.
   bool by_angle(TriangleId t) const;
-  /// True where separate features of the input are closer than twice the size floor.
+  /// True where the input is finer than twice the size floor: separate parts of it are closer, or a
+  /// segment is shorter.
   bool by_feature(TriangleId t) const;
   /// input_angle or input_feature, if one of them holds, in this order.
   std::optional<Reason> of(TriangleId t) const;
@@ -48,6 +49,12 @@ class InputReasons {
   double floor_;
   std::vector<std::uint8_t> in_sharp_wedge_;  // a bit per corner
 };
+
+/// True if two constrained edges enclose the smallest angle of `t`, and it is so small that their
+/// doubles no longer say which of the two is longer, or by how much: of 4 ulp of the largest
+/// coordinate, another angle is obtuse. No coordinates make it better. The one way in which an
+/// input angle excuses an obtuse one.
+bool is_obtuse_by_rounding(const Mesh& mesh, TriangleId t);
 
 /// The shortest edge that refinement makes: below it doubles are too coarse, 1e-12 of the diagonal
 /// of the bounding box or 64 ulp of the largest coordinate.

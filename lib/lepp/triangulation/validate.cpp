@@ -235,8 +235,11 @@ class Validator {
     if (found == claims_.unfinished.end() || found->triangle != t) return false;
     if (!is_forced_by_input(found->reason)) return true;
     const bool by_angle = found->reason == Reason::input_angle;
-    if (by_angle && rule != "M7") return false;
-    if (by_angle ? input_->by_angle(t) : input_->by_feature(t)) return true;
+    const auto holds = [&] {
+      if (!by_angle) return input_->by_feature(t);
+      return rule == "M7" ? input_->by_angle(t) : is_obtuse_by_rounding(mesh_, t);
+    };
+    if (holds()) return true;
     broken(rule, name(t) + " claims " + to_string(found->reason));
     return true;
   }

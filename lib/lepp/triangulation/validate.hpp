@@ -15,7 +15,7 @@ struct MeshClaims {
   /// M7: every angle reaches it, or the triangle is in `unfinished` with a reason that holds.
   std::optional<double> min_angle_deg = {};
   /// M9: no angle is above it (exact for 90, else up to 1e-9 degrees); triangles in `unfinished`
-  /// may break it, but not for their input angles.
+  /// may break it, for their input angles only by rounding.
   std::optional<double> max_angle_deg = {};
   bool nonobtuse = false;                   ///< M8; triangles in `unfinished` may break it
   std::vector<Unfinished> unfinished = {};  ///< ascending by triangle, as refine() reports them
