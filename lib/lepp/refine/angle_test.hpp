@@ -59,9 +59,7 @@ class AngleTest {
     const double large = 0.25 * squared(twice_dot) / (l_ab * l_bc * l_ca / longest);
     return std::max(small, large - squared(cos_largest_));
   }
-  static double squared_cos(double angle_deg) {
-    return squared(std::cos(radians(angle_deg)));
-  }
+  static double squared_cos(double angle_deg) { return squared(std::cos(radians(angle_deg))); }
 
   /// The smallest angle faces the shortest side, so that nothing cancels in the law of cosines. No
   /// branches: which side is shortest cannot be predicted.

@@ -10,6 +10,7 @@
 #include "lepp/refine/clean_up.hpp"
 #include "lepp/refine/clear_around.hpp"
 #include "lepp/refine/even_out.hpp"
+#include "lepp/refine/left_alone.hpp"
 #include "lepp/refine/size_test.hpp"
 #include "lepp/refine/terminal_loop.hpp"
 #include "lepp/refine/unified_loop.hpp"
@@ -152,8 +153,9 @@ RefineReport list_unfinished(const Mesh& mesh, const Bounds& bounds, const Poor&
     if (!too_large && !angle_left && !poor(t)) continue;
     if (!input) input.emplace(mesh);
     Reason reason = otherwise;
-    if (angle_left) {  // no input angle forces a large one: cutting the edge across removes it
+    if (angle_left) {  // an input angle forces no large one, but for rounding
       if (!too_large && input->by_feature(t)) reason = Reason::input_feature;
+      else if (!too_large && is_obtuse_by_rounding(mesh, t)) reason = Reason::input_angle;
     } else if (!too_large) {
       reason = input->of(t).value_or(otherwise);
     }
@@ -227,12 +229,13 @@ std::vector<TriangleId> stuck_triangles(const RefineReport& report) {
 // At bounds near 40 degrees the loop now and then runs into the size floor in a corner of the
 // boundary. There it begins anew, with more and more around it cleared, by turns with the best of
 // several places and with off-centres.
-RefineReport run_loop(Mesh& mesh, const RefineOptions& options, std::size_t budget) {
+RefineReport run_loop(Mesh& mesh, const RefineOptions& options, const LeftAlone& left_alone,
+                      std::size_t budget) {
   constexpr std::size_t most_restarts = 4, most_stuck = 1000;
   RefineOptions turn = options;
   RefineReport report;
   for (std::size_t restart = 0;; ++restart) {
-    UnifiedLoop loop(mesh, turn, budget);
+    UnifiedLoop loop(mesh, turn, left_alone, budget);
     loop.run();
     report = judge(mesh, options, loop.stopped().value_or(Reason::size_floor));
     const auto stuck = stuck_triangles(report);
@@ -245,39 +248,94 @@ RefineReport run_loop(Mesh& mesh, const RefineOptions& options, std::size_t budg
   }
 }
 
-// The clean-up leaves nothing for the loop to do, but for sizes that flips have changed.
-RefineReport refine_once(Mesh& mesh, const RefineOptions& options) {
-  const std::size_t before = mesh.vertex_count();
-  const std::size_t budget = vertex_budget(mesh, options);
-  RefineReport report = run_loop(mesh, options, budget);
-  const bool stopped = std::ranges::any_of(report.unfinished, [](const Unfinished& u) {
+bool was_stopped(const RefineReport& report) {
+  return std::ranges::any_of(report.unfinished, [](const Unfinished& u) {
     return u.reason == Reason::budget || u.reason == Reason::cancelled;
   });
-  if (options.effort != Effort::fast && options.min_angle_deg > 0 && !stopped) {
+}
+
+// The clean-up leaves nothing for the loop to do, but for sizes that flips have changed.
+RefineReport refine_once(Mesh& mesh, const RefineOptions& options, const LeftAlone& left_alone) {
+  const std::size_t before = mesh.vertex_count();
+  const std::size_t budget = vertex_budget(mesh, options);
+  RefineReport report = run_loop(mesh, options, left_alone, budget);
+  if (options.effort != Effort::fast && options.min_angle_deg > 0 && !was_stopped(report)) {
     CleanUp(mesh, options, default_size_floor(mesh)).run();
     if (SizeTest(mesh, options).any()) EvenOut(mesh, options, default_size_floor(mesh)).run();
     report = judge(mesh, options, Reason::size_floor);
-    if (!report.unfinished.empty()) report = run_loop(mesh, options, budget);
+    if (!report.unfinished.empty()) report = run_loop(mesh, options, left_alone, budget);
   }
   report.steiner_points = mesh.vertex_count() - before;
   return report;
 }
 
 // The best of several places takes more vertices, but gets past corners where off-centres do not.
-RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
+RefineReport refine_with_effort(Mesh& mesh, const RefineOptions& options,
+                                const LeftAlone& left_alone) {
   if (options.effort != Effort::best || options.placement == Placement::best) {
-    return refine_once(mesh, options);
+    return refine_once(mesh, options, left_alone);
   }
   Mesh other = mesh;
-  const RefineReport first = refine_once(mesh, options);
+  const RefineReport first = refine_once(mesh, options, left_alone);
   const std::size_t stuck = stuck_triangles(first).size();
   if (stuck == 0) return first;
   RefineOptions best = options;
   best.placement = Placement::best;
-  const RefineReport second = refine_once(other, best);
+  const RefineReport second = refine_once(other, best, left_alone);
   if (!second.goal_reached && second.unfinished.size() >= first.unfinished.size()) return first;
   mesh = std::move(other);
   return second;
+}
+
+// What went wrong where large angles are left alone. \pre `report` lists the triangles of `mesh`
+void say_why(RefineReport& report, const Mesh& mesh, const RefineOptions& options,
+             const LeftAlone& left_alone, Reason why) {
+  const AngleTest angle(0, options.max_angle_deg);
+  for (Unfinished& u : report.unfinished) {
+    const auto [a, b, c] = mesh.corners(u.triangle);
+    const bool there = angle.is_above(a, b, c) && left_alone.contains(mesh, u.triangle);
+    if (there && u.reason == Reason::size_floor) u.reason = why;
+  }
+}
+
+std::size_t left_to_do(const RefineReport& report) {
+  const auto is_left = [](const Unfinished& u) { return !is_forced_by_input(u.reason); };
+  return static_cast<std::size_t>(std::ranges::count_if(report.unfinished, is_left));
+}
+
+// Bounding the largest angle takes small triangles beside a sharp wedge, and where no mesh has them
+// small enough the wedge is cut again and again. Another attempt takes the best of several places;
+// then vertices at which that is seen are left alone.
+RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
+  LeftAlone left_alone = LeftAlone::nowhere(mesh);
+  if (options.max_angle_deg >= 180) return refine_with_effort(mesh, options, left_alone);
+  constexpr int most_attempts = 5;
+  const Mesh start = mesh;
+  RefineOptions attempted = options;
+  // A cascade would use all vertices up; without one a part of them is plenty.
+  if (options.max_vertices == 0) attempted.max_vertices = vertex_budget(start, options) / 4;
+  RefineReport report = refine_with_effort(mesh, attempted, left_alone);
+  if (report.goal_reached || !segments_meet_sharply(start)) return report;
+  LeftAlone all = LeftAlone::everywhere(start);
+  Mesh plain = start;
+  RefineReport plain_report = refine_with_effort(plain, options, all);
+  bool out_of_vertices = was_stopped(report);
+  attempted.placement = Placement::best;
+  for (int i = 1; i < most_attempts; ++i) {
+    if (i > 1 && !left_alone.add_shrunken(mesh, plain)) break;
+    mesh = start;
+    report = refine_with_effort(mesh, attempted, left_alone);
+    if (report.goal_reached) return report;
+    out_of_vertices = out_of_vertices || was_stopped(report);
+    if (i > 1) attempted.placement = options.placement;
+  }
+  if (was_stopped(report) || left_to_do(plain_report) <= left_to_do(report)) {
+    std::swap(mesh, plain);
+    std::swap(report, plain_report);
+    std::swap(left_alone, all);
+  }
+  say_why(report, mesh, options, left_alone, out_of_vertices ? Reason::budget : Reason::size_floor);
+  return report;
 }
 
 // A mesh that does not fit into the cache is refined in spatial order.

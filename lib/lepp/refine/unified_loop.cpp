@@ -26,9 +26,11 @@ bool has_bent_curves(const Mesh& mesh) {
 
 }  // namespace
 
-UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t budget)
+UnifiedLoop::UnifiedLoop(Mesh& mesh, const RefineOptions& options, const LeftAlone& left_alone,
+                         std::size_t budget)
     : mesh_(mesh),
       options_(options),
+      left_alone_(left_alone),
       floor_(default_size_floor(mesh)),
       allowance_(mesh, options, budget),
       angle_(options.min_angle_deg, options.max_angle_deg),
@@ -52,8 +54,7 @@ void UnifiedLoop::run() {
 bool UnifiedLoop::take_turn() {
   changed_.clear();
   if (const auto e = encroached_ ? encroached_->next(mesh_) : std::nullopt) {
-    // Features of the input below the size floor stay as they are: cutting only spreads them.
-    if (!is_at_feature(e->triangle)) cut(*e);
+    relieve(*e);
   } else if (const auto t = targets_.next(mesh_)) {
     if (is_improvable(*t)) improve(*t);
   } else if (next_seed_ < seeds_) {
@@ -65,6 +66,13 @@ bool UnifiedLoop::take_turn() {
   return true;
 }
 
+// Features of the input below the size floor stay as they are: cutting only spreads them.
+void UnifiedLoop::relieve(HalfEdge encroached) {
+  if (is_at_feature(encroached.triangle)) return;
+  if (angle_.has_largest() && is_obtuse_by_rounding(mesh_, encroached.triangle)) return;
+  cut(encroached);
+}
+
 bool UnifiedLoop::is_improvable(TriangleId t) const {
   const auto is_on_input = [&](VertexId v) {
     return mesh_.origin_of(v).kind != VertexOrigin::Kind::interior;
@@ -72,7 +80,9 @@ bool UnifiedLoop::is_improvable(TriangleId t) const {
   if (std::ranges::count_if(mesh_.vertices(t), is_on_input) < 2) return true;
   if (targets_.is_too_large(t)) return true;
   // What excuses a small angle does not excuse a large one.
-  if (targets_.has_large_angle(mesh_, t)) return !is_at_feature(t);
+  if (targets_.has_large_angle(mesh_, t) && !left_alone_.contains(mesh_, t)) {
+    return !is_at_feature(t) && !is_obtuse_by_rounding(mesh_, t);
+  }
   return !is_between_constrained(t) && !is_seditious_there(t) && !is_at_feature(t);
 }
 

@@ -6,6 +6,7 @@
 
 #include "lepp/refine/allowance.hpp"
 #include "lepp/refine/good_star.hpp"
+#include "lepp/refine/left_alone.hpp"
 #include "lepp/refine/off_centre.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/refine/target_buckets.hpp"
@@ -21,7 +22,8 @@ namespace lepp {
 ///   3. else at the off-centre, unless that encroaches a constrained edge: then that edge is cut.
 class UnifiedLoop {
  public:
-  UnifiedLoop(Mesh& mesh, const RefineOptions& options, std::size_t budget);
+  UnifiedLoop(Mesh& mesh, const RefineOptions& options, const LeftAlone& left_alone,
+              std::size_t budget);
 
   /// Works on every triangle. Between two turns the mesh satisfies M1 to M6. Ends: each turn adds a
   /// vertex, of which there are at most `budget`, moves one, which each may only so often, or
@@ -37,6 +39,7 @@ class UnifiedLoop {
   bool is_between_constrained(TriangleId t) const;
   bool is_seditious_there(TriangleId t) const;
   bool is_at_feature(TriangleId t) const;
+  void relieve(HalfEdge encroached);
   void improve(TriangleId t);
   bool move_a_corner(TriangleId t);
   void insert_near(TriangleId t);
@@ -49,6 +52,7 @@ class UnifiedLoop {
 
   Mesh& mesh_;
   const RefineOptions& options_;
+  const LeftAlone& left_alone_;
   double floor_;
   Allowance allowance_;
   AngleTest angle_;
