@@ -12,10 +12,15 @@ struct CommandLine {
   std::string mesh;    ///< .msh or .ele
   std::string method;  ///< fe or fv
   GroupOptions groups;
-  std::string output;  ///< .vtu, or empty
+  std::string output;  ///< .vtu, or empty; for the adaptive loop a folder
   std::string json;    ///< file, "-" for the standard output, or empty
   bool allow_inadmissible = false, force = false;
   std::string folder = ".";  ///< where the two demonstrations write
+  // The adaptive loop; `output` is then a folder.
+  std::string adapt;  ///< the problem, adaptive_problem_names(), or empty
+  std::string estimator = "residual", solver = "multigrid";
+  double theta = 0.5;
+  std::size_t max_unknowns = 20000;
 };
 
 /// Exit status of the program (the same as that of `lepp`).
@@ -40,6 +45,10 @@ ExitStatus run_convergence_study(const CommandLine& line);
 /// Prints what each scheme makes of the thin plate on two meshes; writes solutions and pictures.
 /// \return goal_missed if the outcome is not the expected one
 ExitStatus run_maximum_principle(const CommandLine& line);
+
+/// Runs the adaptive loop and prints a line for each step; writes a diagram and a series of files.
+/// \throw Error
+ExitStatus run_adapt(const CommandLine& line);
 
 /// Writes a report for machines to a file or, for "-", to the standard output.
 /// \throw OutputError

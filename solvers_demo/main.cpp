@@ -4,6 +4,7 @@
 #include <csignal>
 #include <exception>
 
+#include "adaptive_problems.hpp"
 #include "commands.hpp"
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/predicates.hpp"
@@ -17,6 +18,8 @@ constexpr const char* examples = R"(Examples:
       --dirichlet inside=293 --robin outside=25,268 -o wall.vtu
   lepp-poisson --convergence --folder out --json -
   lepp-poisson --maximum-principle --folder out
+  lepp-poisson --adapt l-shape --max-unknowns 50000 -o out
+  lepp-poisson --adapt kellogg --estimator zz --theta 0.3
 
 GROUP is the name or the tag of a physical group. F, V and G are numbers or sums such as
 1+2*x-0.5*y. A boundary without a condition lets nothing through. Where two --dirichlet groups
@@ -25,6 +28,32 @@ meet, the first one given holds.)";
 struct Choice {
   bool convergence = false, maximum_principle = false;
 };
+
+CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
+  auto* adapt = app.add_option("--adapt", line.adapt,
+                               "solve, estimate, mark and bisect on one of these problems; -o "
+                               "names a folder for a diagram and a series of .vtu files")
+                    ->type_name("PROBLEM")
+                    ->check(CLI::IsMember(adaptive_problem_names()));
+  app.add_option("--estimator", line.estimator, "of the adaptive loop: jumps, or averages")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"residual", "zz"}))
+      ->needs(adapt);
+  app.add_option("--theta", line.theta,
+                 "mark the fewest triangles with this part of the sum of eta^2; 1: all")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1.0))
+      ->needs(adapt);
+  app.add_option("--max-unknowns", line.max_unknowns, "the first mesh with as many is the last")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
+      ->needs(adapt);
+  app.add_option("--solver", line.solver, "multigrid on the forest, or a factorisation")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"multigrid", "direct"}))
+      ->needs(adapt);
+  return adapt;
+}
 
 void describe(CLI::App& app, CommandLine& line, Choice& choice) {
   app.footer(examples);
@@ -53,9 +82,11 @@ void describe(CLI::App& app, CommandLine& line, Choice& choice) {
                                    "measure the orders of both methods on six meshes");
   auto* principle = app.add_flag("--maximum-principle", choice.maximum_principle,
                                  "show what obtuse angles at the boundary do");
-  app.add_option("--folder", line.folder, "where the last two write their files");
-  convergence->excludes(mesh)->excludes(principle);
-  principle->excludes(mesh);
+  app.add_option("--folder", line.folder, "where these two write their files");
+  auto* adapt = describe_adapt(app, line);
+  convergence->excludes(mesh)->excludes(principle)->excludes(adapt);
+  principle->excludes(mesh)->excludes(adapt);
+  adapt->excludes(mesh);
 }
 
 ExitStatus status_of(ErrorKind kind) {
@@ -73,6 +104,7 @@ ExitStatus status_of(ErrorKind kind) {
 ExitStatus run(const CommandLine& line, const Choice& choice) {
   if (choice.convergence) return run_convergence_study(line);
   if (choice.maximum_principle) return run_maximum_principle(line);
+  if (!line.adapt.empty()) return run_adapt(line);
   return run_solve(line);
 }
 
@@ -87,8 +119,9 @@ int main(int argc, char** argv) {
   describe(app, line, choice);
   try {
     app.parse(argc, argv);
-    if (line.mesh.empty() && !choice.convergence && !choice.maximum_principle) {
-      throw CLI::RequiredError("MESH, --convergence or --maximum-principle");
+    if (line.mesh.empty() && line.adapt.empty() && !choice.convergence &&
+        !choice.maximum_principle) {
+      throw CLI::RequiredError("MESH, --adapt, --convergence or --maximum-principle");
     }
     check_form(line.groups);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,149 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "adaptive.hpp"
+#include "commands.hpp"
+#include "lepp/geometry/error.hpp"
+#include "lepp/io/atomic_files.hpp"
+#include "lepp/io/plot.hpp"
+#include "lepp/io/vtu.hpp"
+
+namespace lepp::demo {
+namespace {
+
+namespace fs = std::filesystem;
+
+AdaptiveOptions options_of(const CommandLine& line) {
+  AdaptiveOptions options;
+  options.estimator = line.estimator == "zz" ? Estimator::zz : Estimator::residual;
+  options.solver = line.solver == "direct" ? LinearSolver::direct : LinearSolver::multigrid;
+  options.theta = line.theta;
+  options.max_unknowns = line.max_unknowns;
+  return options;
+}
+
+void print_head(const CommandLine& line, const AdaptiveProblem& problem) {
+  fmt::print("{}\n", problem.title);
+  fmt::print("P1 elements, {} estimator, LEPP-bisection; marked: {}; solver: {}\n", line.estimator,
+             line.theta >= 1
+                 ? "all"
+                 : fmt::format("the fewest with {:g} of the sum of eta_T^2", line.theta),
+             line.solver);
+  fmt::print("{:>5} {:>9} {:>9} {:>7} {:>11} {:>11} {:>9} {:>10} {:>9}\n", "step", "unknowns",
+             "triangles", "angle", "error", "estimate", "est./err.", "iterations", "solve [s]");
+}
+
+void print_row(std::size_t number, const AdaptiveStep& step) {
+  fmt::print("{:>5} {:>9} {:>9} {:>7.2f} {:>11.4e} {:>11.4e} {:>9.3f} {:>10} {:>9.3f}\n", number,
+             step.unknowns, step.triangles, step.min_angle_deg, step.error, step.estimate,
+             step.estimate / step.error, step.iterations, step.solve_seconds);
+}
+
+fs::path file_of_step(std::size_t number) { return fmt::format("step_{:03}.vtu", number); }
+
+void write_step(const fs::path& folder, std::size_t number, const AdaptiveProblem& problem,
+                const Mesh& mesh, const Eigen::VectorXd& u, const std::vector<double>& indicators) {
+  std::vector<double> exact, eta;
+  for (const Point p : mesh.points()) exact.push_back(problem.exact.value(p));
+  for (const double squared : indicators) eta.push_back(std::sqrt(squared));
+  write_vtu(mesh, folder / file_of_step(number),
+            {{{"u", {u.begin(), u.end()}}, {"u_exact", exact}}, {{"indicator", eta}}});
+}
+
+/// The list of files that ParaView plays as a film; the time is the number of the step.
+void write_series(const fs::path& file, std::size_t steps) {
+  AtomicFiles files;
+  OutputFile& out = files.add(file);
+  out << "<?xml version=\"1.0\"?>\n"
+      << "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+      << "<Collection>\n";
+  for (std::size_t i = 0; i < steps; ++i) {
+    out << "<DataSet timestep=\"" << i << "\" part=\"0\" file=\"" << file_of_step(i).string()
+        << "\"/>\n";
+  }
+  out << "</Collection>\n</VTKFile>\n";
+  files.commit();
+}
+
+LogLogPlot plot_of(const AdaptiveProblem& problem, const std::vector<AdaptiveStep>& steps) {
+  LogLogPlot plot;
+  plot.title = problem.title;
+  plot.x_label = "unknowns";
+  plot.y_label = "energy norm";
+  plot.series = {{"error", {}, {}}, {"estimate", {}, {}}};
+  for (const AdaptiveStep& step : steps) {
+    for (PlotSeries& series : plot.series) {
+      series.x.push_back(static_cast<double>(step.unknowns));
+    }
+    plot.series[0].y.push_back(step.error);
+    plot.series[1].y.push_back(step.estimate);
+  }
+  plot.slopes = {{-0.5, "unknowns^(-1/2)"}};
+  return plot;
+}
+
+std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
+  nlohmann::ordered_json report{
+      {"schema_version", 1},   {"problem", line.adapt}, {"estimator", line.estimator},
+      {"solver", line.solver}, {"theta", line.theta},   {"steps", nlohmann::ordered_json::array()}};
+  for (const AdaptiveStep& step : steps) {
+    report["steps"].push_back({{"vertices", step.vertices},
+                               {"unknowns", step.unknowns},
+                               {"triangles", step.triangles},
+                               {"min_angle_deg", step.min_angle_deg},
+                               {"error", step.error},
+                               {"estimate", step.estimate},
+                               {"iterations", step.iterations},
+                               {"solve_seconds", step.solve_seconds}});
+  }
+  report["rates"] = {{"error", observed_rate(steps, &AdaptiveStep::error)},
+                     {"estimate", observed_rate(steps, &AdaptiveStep::estimate)}};
+  return report.dump(2) + "\n";
+}
+
+void check_folder(const fs::path& folder, bool overwrite) {
+  std::error_code ignored;  // nothing there yet
+  if (!overwrite && fs::exists(folder / "series.pvd", ignored)) {
+    throw OutputError((folder / "series.pvd").string(), "exists already",
+                      "choose another folder, or add --force");
+  }
+}
+
+}  // namespace
+
+ExitStatus run_adapt(const CommandLine& line) {
+  const bool talks = line.json != "-", writes = !line.output.empty();
+  const AdaptiveProblem problem = adaptive_problem(line.adapt);
+  if (writes) check_folder(line.output, line.force);
+  const fs::path folder = writes ? make_folder(line.output) : fs::path();
+  if (talks) print_head(line, problem);
+  std::size_t number = 0;
+  const std::vector<AdaptiveStep> steps =
+      run_adaptive(problem, options_of(line),
+                   [&](const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u,
+                       const std::vector<double>& indicators) {
+                     if (talks) print_row(number, step);
+                     if (writes) write_step(folder, number, problem, mesh, u, indicators);
+                     ++number;
+                   });
+  if (talks) {
+    fmt::print("over the last tenfold of unknowns: error ~ unknowns^-{:.3f}, estimate ^-{:.3f}\n",
+               observed_rate(steps, &AdaptiveStep::error),
+               observed_rate(steps, &AdaptiveStep::estimate));
+  }
+  if (writes) {
+    write_series(folder / "series.pvd", number);
+    write_plot(plot_of(problem, steps), folder / "errors.svg");
+    if (talks) {
+      fmt::print("wrote {} and {}\n", (folder / "series.pvd").string(),
+                 (folder / "errors.svg").string());
+    }
+  }
+  if (!line.json.empty()) write_json(line.json, json_of(line, steps));
+  return done;
+}
+
+}  // namespace lepp::demo
