@@ -39,9 +39,9 @@ Start start_from(const Mesh& mesh, const PoissonProblem& problem, std::vector<do
   return start;
 }
 
-Eigen::VectorXd solve_by_multigrid(const Forest& forest, const LinearSystem& system, Start start,
-                                   std::size_t& iterations) {
-  const Multigrid multigrid(system.K, start.free, hierarchy_of(forest));
+Eigen::VectorXd solve_by_multigrid(std::span<const NewVertex> made, const LinearSystem& system,
+                                   Start start, std::size_t& iterations) {
+  const Multigrid multigrid(system.K, start.free, made);
   IterativeSolution solution = solve_iteratively(system, start.free, multigrid, std::move(start.u));
   if (!solution.converged) {
     throw InputError("the linear system", "is too ill-conditioned for multigrid",
@@ -51,17 +51,16 @@ Eigen::VectorXd solve_by_multigrid(const Forest& forest, const LinearSystem& sys
   return std::move(solution.u);
 }
 
-Eigen::VectorXd solve_step(const Forest& forest, const PoissonProblem& problem,
-                           const AdaptiveOptions& options, const std::vector<double>& guess,
-                           AdaptiveStep& step) {
-  const Mesh& mesh = forest.mesh();
+Eigen::VectorXd solve_step(const Mesh& mesh, std::span<const NewVertex> made,
+                           const PoissonProblem& problem, const AdaptiveOptions& options,
+                           const std::vector<double>& guess, AdaptiveStep& step) {
   const LinearSystem system = assemble_fe(mesh, problem);
   Start start = start_from(mesh, problem, guess);
   step.unknowns = start.unknowns;
   const auto begin = std::chrono::steady_clock::now();
   Eigen::VectorXd u = options.solver == LinearSolver::direct
                           ? solve(mesh, problem, system).u
-                          : solve_by_multigrid(forest, system, std::move(start), step.iterations);
+                          : solve_by_multigrid(made, system, std::move(start), step.iterations);
   step.solve_seconds = seconds_since(begin);
   return u;
 }
@@ -80,10 +79,11 @@ std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
   Forest forest(problem.start);
   const Mesh& mesh = forest.mesh();
   std::vector<double> values(mesh.vertex_count(), 0.0);
+  std::vector<NewVertex> made;  // all but those of the start
   std::vector<AdaptiveStep> steps;
   while (true) {  // ends: each step adds vertices
     AdaptiveStep step{mesh.vertex_count(), mesh.triangle_count()};
-    const Eigen::VectorXd u = solve_step(forest, problem.problem, options, values, step);
+    const Eigen::VectorXd u = solve_step(mesh, made, problem.problem, options, values, step);
     const std::vector<double> indicators =
         indicators_of(mesh, problem.problem, options.estimator, u);
     step.error = energy_error(mesh, u, problem);
@@ -95,6 +95,7 @@ std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
 
     const Refinement refinement = forest.bisect(largest_indicators(indicators, options.theta));
     if (refinement.vertices.empty()) return steps;  // as fine as doubles are
+    made.insert(made.end(), refinement.vertices.begin(), refinement.vertices.end());
     values.assign(u.begin(), u.end());
     transfer_vertices(refinement, values);
   }

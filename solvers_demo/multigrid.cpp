@@ -1,10 +1,9 @@
 #include "multigrid.hpp"
 
-#include <cmath>
-#include <numeric>
+#include <algorithm>
 #include <ranges>
+#include <utility>
 
-#include "lepp/bisection/transfer.hpp"
 #include "lepp/geometry/error.hpp"
 
 namespace lepp::demo {
@@ -55,26 +54,25 @@ std::vector<TriangleId> around(const Mesh& mesh, const std::vector<TriangleId>& 
 
 }  // namespace
 
-Hierarchy hierarchy_of(Forest forest) {
-  Hierarchy hierarchy;
-  hierarchy.vertices = forest.mesh().vertex_count();
-  std::vector<VertexId> finest;  // the id that a vertex has in the finest mesh
-  finest.reserve(hierarchy.vertices);
-  for (std::size_t v = 0; v < hierarchy.vertices; ++v) finest.emplace_back(v);
+std::vector<NewVertex> vertices_made(Forest forest) {
+  std::vector<NewVertex> removed;
+  std::vector<VertexId> now;  // the id in the mesh as it was given
+  now.reserve(forest.mesh().vertex_count());
+  for (std::size_t v = 0; v < forest.mesh().vertex_count(); ++v) now.emplace_back(v);
   JoinedTriangles joined(forest.mesh().triangle_count());
   std::vector<TriangleId> marked = all_triangles(forest.mesh());
   while (true) {  // ends: vertices become fewer
     const Coarsening coarsening = forest.coarsen(marked);
-    if (coarsening.vertices.empty()) return hierarchy;
-    auto& removed = hierarchy.removed.emplace_back();
-    removed.reserve(coarsening.vertices.size());
+    if (coarsening.vertices.empty()) break;
     for (const auto& [v, a, b] : coarsening.vertices) {
-      removed.push_back({finest[v.index()], finest[a.index()], finest[b.index()]});
-      finest[v.index()] = finest.back();
-      finest.pop_back();
+      removed.push_back({now[v.index()], now[a.index()], now[b.index()]});
+      now[v.index()] = now.back();
+      now.pop_back();
     }
     marked = around(forest.mesh(), joined.after(coarsening));
   }
+  std::ranges::reverse(removed);
+  return removed;
 }
 
 // The matrix of the present level, in the place that the finest one needs: rows lose entries, or
@@ -87,8 +85,10 @@ Hierarchy hierarchy_of(Forest forest) {
 //        d
 class Multigrid::Elimination {
  public:
-  explicit Elimination(const SparseMatrix& K);
+  Elimination(const SparseMatrix& K, std::span<const NewVertex> made);
 
+  /// The vertices that the next level lacks: as numbers in `made`.
+  std::vector<std::uint32_t> next();
   void remove(std::uint32_t v, std::uint32_t a, std::uint32_t b);
   std::span<const Entry> row(std::uint32_t k) const {
     return std::span(entries_).subspan(begin_[k], length_[k]);
@@ -111,11 +111,20 @@ class Multigrid::Elimination {
   std::vector<Entry> entries_;
   std::vector<std::size_t> begin_;
   std::vector<std::uint32_t> length_;
+  // Vertices are made one by one, roots before all others.
+  bool is_newer(std::uint32_t k, std::uint32_t l) const { return made_[k] > made_[l]; }
+  void lose_newer(std::uint32_t k) {
+    if (--newer_[k] == 0 && made_[k] > 0) ready_.push_back(made_[k] - 1);
+  }
+
   std::vector<double> diagonal_;
   std::vector<char> left_;
+  std::vector<std::uint32_t> made_;   // when: 0 for the vertices of roots
+  std::vector<std::uint32_t> newer_;  // how many newer ones are next to it
+  std::vector<std::uint32_t> ready_;  // without any, in the next level: numbers in `made`
 };
 
-Multigrid::Elimination::Elimination(const SparseMatrix& K)
+Multigrid::Elimination::Elimination(const SparseMatrix& K, std::span<const NewVertex> made)
     : diagonal_(static_cast<std::size_t>(K.cols()), 0.0) {
   const std::size_t n = diagonal_.size();
   begin_.reserve(n);
@@ -131,7 +140,18 @@ Multigrid::Elimination::Elimination(const SparseMatrix& K)
     }
     length_.push_back(static_cast<std::uint32_t>(entries_.size() - begin_.back()));
   }
+  made_.assign(n, 0);
+  for (std::uint32_t i = 0; i < made.size(); ++i) made_[made[i].vertex.index()] = i + 1;
+  newer_.assign(n, 0);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    for (const Entry& entry : row(k)) newer_[k] += is_newer(entry.column, k) ? 1 : 0;
+  }
+  for (std::uint32_t i = 0; i < made.size(); ++i) {
+    if (newer_[made[i].vertex.index()] == 0) ready_.push_back(i);
+  }
 }
+
+std::vector<std::uint32_t> Multigrid::Elimination::next() { return std::exchange(ready_, {}); }
 
 void Multigrid::Elimination::remove(std::uint32_t v, std::uint32_t a, std::uint32_t b) {
   const double quarter = diagonal_[v] / 4, to_a = at(v, a).value, to_b = at(v, b).value;
@@ -143,20 +163,25 @@ void Multigrid::Elimination::remove(std::uint32_t v, std::uint32_t a, std::uint3
   for (const auto& [c, value] : row(v)) {
     if (c == a || c == b) continue;
     drop(c, v);
+    lose_newer(c);
     for (const std::uint32_t end : {a, b}) {
       at(end, c).value += value / 2;
       at(c, end).value += value / 2;
     }
   }
+  ++newer_[is_newer(a, b) ? b : a];  // now next to each other
+  lose_newer(a);
+  lose_newer(b);
   left_[v] = 0;
 }
 
 Multigrid::Multigrid(const SparseMatrix& K, std::span<const char> free,
-                     const Hierarchy& hierarchy) {
-  Elimination rest(K);
+                     std::span<const NewVertex> made) {
+  Elimination rest(K, made);
   std::vector<std::uint32_t> listed(free.size(), 0);  // the last level that has a row of it, + 1
   std::uint32_t number = 0;
-  const auto add_row = [&](std::uint32_t k) {
+  const auto add_row = [&](VertexId v) {
+    const std::uint32_t k = v.value;
     if (free[k] == 0 || listed[k] == number) return;
     listed[k] = number;
     rows_.push_back({k, entries_.size(), rest.diagonal(k)});
@@ -164,15 +189,16 @@ Multigrid::Multigrid(const SparseMatrix& K, std::span<const char> free,
       if (free[entry.column] != 0) entries_.push_back(entry);
     }
   };
-  for (const std::vector<NewVertex>& removed : hierarchy.removed) {
+  for (auto removed = rest.next(); !removed.empty(); removed = rest.next()) {
     ++number;
     Level level{rows_.size(), 0, removed_.size(), 0};
-    for (const auto& [v, a, b] : removed) {
-      add_row(v.value);
-      add_row(a.value);
-      add_row(b.value);
+    for (const std::uint32_t i : removed) {
+      add_row(made[i].vertex);
+      add_row(made[i].a);
+      add_row(made[i].b);
     }
-    for (const auto& [v, a, b] : removed) {
+    for (const std::uint32_t i : removed) {
+      const auto& [v, a, b] = made[i];
       rest.remove(v.value, a.value, b.value);
       if (free[v.index()] != 0) removed_.push_back({v.value, a.value, b.value});
     }

@@ -10,31 +10,28 @@
 
 namespace lepp::demo {
 
-/// Nested meshes from the one of a forest down to its roots: each has all vertices of the one
-/// before it but some, and each of those lay between two that stay. Ids are those of the finest.
-struct Hierarchy {
-  std::vector<std::vector<NewVertex>> removed;  ///< the finest mesh first
-  std::size_t vertices = 0;                     ///< of the finest mesh
-};
-
-/// Coarsens the forest as often as that changes something.
-/// Cost  O(triangles), however many levels there are: after the first call only what changed, and
+/// The vertices that bisections have made out of the roots of a forest, in an order in which they
+/// can be made, with the ids of its mesh. As long as nothing is coarsened, Refinement::vertices of
+/// one call after the other are such a list, for nothing.
+/// Cost  O(triangles): after a first call of coarsen() for all triangles, only what changed, and
 ///       what touches it, is tried again
-Hierarchy hierarchy_of(Forest forest);
+std::vector<NewVertex> vertices_made(Forest forest);
 
-/// One symmetric V-cycle as a preconditioner. On each level Gauss-Seidel runs over the vertices
-/// that the next level lacks and those that they lie between, forwards on the way down and
-/// backwards on the way up; all other values are as smooth as the next level needs them. So one
-/// cycle costs as much as there are vertices, on meshes with any grading.
-/// Coarse matrices are P^T A P, made row by row as vertices are removed.
-/// Source  [chen2012]; docs/algorithms/adaptive.md
+/// One symmetric V-cycle as a preconditioner. A level lacks the vertices of the one before it that
+/// have only older ones next to them, as if Forest::coarsen() had been called for all. On each
+/// level Gauss-Seidel runs over the vertices that the next level lacks and those that they lie
+/// between, forwards on the way down and backwards on the way up; all other values are as smooth as
+/// the next level needs them. So one cycle costs as much as there are vertices, on meshes with any
+/// grading. Coarse matrices are P^T A P, made row by row as vertices are removed. Source
+/// [chen2012]; docs/algorithms/adaptive.md
 class Multigrid {
  public:
   /// \param K     symmetric, positive definite on the free vertices; its entries are the mesh's
   ///              edges and diagonals, whatever their values
-  /// \param free  one per vertex: 0 where a value is given. Those between two given ones may be
-  /// free
-  Multigrid(const SparseMatrix& K, std::span<const char> free, const Hierarchy& hierarchy);
+  /// \param free  one per vertex: 0 where a value is given; then also between two such vertices, on
+  ///              the edge between them
+  /// \param made  all vertices but those of the roots, in the order in which they were made
+  Multigrid(const SparseMatrix& K, std::span<const char> free, std::span<const NewVertex> made);
 
   /// z is about K^-1 r; 0 where values are given. Not for two threads at once.
   void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
