@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "lepp/geometry/triangle_measures.hpp"
@@ -213,6 +214,34 @@ TEST_CASE("the caller can stop it, and gets a valid mesh and the reason") {
   CHECK(mesh.vertex_count() == 500);
   REQUIRE_FALSE(report.unfinished.empty());
   CHECK(report.unfinished.front().reason == Reason::cancelled);
+}
+
+// A fan of two degrees, where several attempts are made.
+TEST_CASE("once the caller has stopped it, it asks no more, and says that it was cancelled") {
+  Pslg pslg = test::unit_square();
+  test::add_chain(pslg, {{0.9, 0.5}, {0.2, 0.5}, {0.9, 0.5 + 0.7 * 0.035}}, false);
+  const Mesh start = constrained_delaunay(pslg).mesh;
+  for (const std::size_t most : {std::size_t{20}, std::size_t{500}, std::size_t{5000}}) {
+    CAPTURE(most);
+    Mesh mesh = start;
+    RefineOptions options;
+    options.max_angle_deg = 90;
+    std::size_t asked = 0, asked_again = 0;
+    bool stopped = false;
+    options.progress = [&](std::size_t) {
+      asked_again += stopped ? 1 : 0;
+      stopped = ++asked >= most;
+      return !stopped;
+    };
+    const RefineReport report = refine(mesh, options);
+    CHECK(asked_again == 0);
+    if (!stopped) continue;
+    REQUIRE_FALSE(report.unfinished.empty());
+    CHECK(std::ranges::any_of(report.unfinished,
+                              [](const Unfinished& u) { return u.reason == Reason::cancelled; }));
+    CHECK_FALSE(report.goal_reached);
+    CHECK(validate(mesh, {.unfinished = report.unfinished}).summary() == "valid");
+  }
 }
 
 TEST_CASE("two runs give the same mesh") {

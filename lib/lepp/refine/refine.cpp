@@ -248,10 +248,14 @@ RefineReport run_loop(Mesh& mesh, const RefineOptions& options, const LeftAlone&
   }
 }
 
+bool was_cancelled(const RefineReport& report) {
+  return std::ranges::find(report.unfinished, Reason::cancelled, &Unfinished::reason) !=
+         report.unfinished.end();
+}
+
 bool was_stopped(const RefineReport& report) {
-  return std::ranges::any_of(report.unfinished, [](const Unfinished& u) {
-    return u.reason == Reason::budget || u.reason == Reason::cancelled;
-  });
+  return was_cancelled(report) || std::ranges::find(report.unfinished, Reason::budget,
+                                                    &Unfinished::reason) != report.unfinished.end();
 }
 
 // The clean-up leaves nothing for the loop to do, but for sizes that flips have changed.
@@ -315,17 +319,22 @@ RefineReport refine_unified(Mesh& mesh, const RefineOptions& options) {
   // A cascade would use all vertices up; without one a part of them is plenty.
   if (options.max_vertices == 0) attempted.max_vertices = vertex_budget(start, options) / 4;
   RefineReport report = refine_with_effort(mesh, attempted, left_alone);
-  if (report.goal_reached || !segments_meet_sharply(start)) return report;
+  const auto is_over = [&] { return report.goal_reached || was_cancelled(report); };
+  if (is_over() || !segments_meet_sharply(start)) return report;
   LeftAlone all = LeftAlone::everywhere(start);
   Mesh plain = start;
   RefineReport plain_report = refine_with_effort(plain, options, all);
+  if (was_cancelled(plain_report)) {
+    mesh = std::move(plain);
+    return plain_report;
+  }
   bool out_of_vertices = was_stopped(report);
   attempted.placement = Placement::best;
   for (int i = 1; i < most_attempts; ++i) {
     if (i > 1 && !left_alone.add_shrunken(mesh, plain)) break;
     mesh = start;
     report = refine_with_effort(mesh, attempted, left_alone);
-    if (report.goal_reached) return report;
+    if (is_over()) return report;
     out_of_vertices = out_of_vertices || was_stopped(report);
     if (i > 1) attempted.placement = options.placement;
   }
