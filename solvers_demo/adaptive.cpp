@@ -71,19 +71,40 @@ std::vector<double> indicators_of(const Mesh& mesh, const PoissonProblem& proble
   return residual_indicators(mesh, problem, u);
 }
 
+/// The mesh of the loop, what made it, and a guess at its vertices.
+struct Refined {
+  Forest forest;
+  std::vector<NewVertex> made;  // all vertices but those of the start
+  std::vector<double> guess;
+
+  explicit Refined(const AdaptiveProblem& problem)
+      : forest(problem.start), guess(problem.start.vertex_count(), 0.0) {
+    for (std::size_t i = 0; i < problem.first_rounds; ++i) {
+      const std::vector<double> alike(forest.mesh().triangle_count(), 0.0);
+      bisect(largest_indicators(alike, 1));
+    }
+  }
+  /// False if nothing could be cut.
+  bool bisect(const std::vector<TriangleId>& marked) {
+    const Refinement refinement = forest.bisect(marked);
+    made.insert(made.end(), refinement.vertices.begin(), refinement.vertices.end());
+    transfer_vertices(refinement, guess);
+    return !refinement.vertices.empty();
+  }
+};
+
 }  // namespace
 
 std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
                                        const AdaptiveOptions& options,
                                        const AdaptiveStepDone& step_done) {
-  Forest forest(problem.start);
-  const Mesh& mesh = forest.mesh();
-  std::vector<double> values(mesh.vertex_count(), 0.0);
-  std::vector<NewVertex> made;  // all but those of the start
+  Refined refined(problem);
+  const Mesh& mesh = refined.forest.mesh();
   std::vector<AdaptiveStep> steps;
   while (true) {  // ends: each step adds vertices
     AdaptiveStep step{mesh.vertex_count(), mesh.triangle_count()};
-    const Eigen::VectorXd u = solve_step(mesh, made, problem.problem, options, values, step);
+    const Eigen::VectorXd u =
+        solve_step(mesh, refined.made, problem.problem, options, refined.guess, step);
     const std::vector<double> indicators =
         indicators_of(mesh, problem.problem, options.estimator, u);
     step.error = energy_error(mesh, u, problem);
@@ -92,12 +113,8 @@ std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
     steps.push_back(step);
     if (step_done) step_done(step, mesh, u, indicators);
     if (step.unknowns >= options.max_unknowns) return steps;
-
-    const Refinement refinement = forest.bisect(largest_indicators(indicators, options.theta));
-    if (refinement.vertices.empty()) return steps;  // as fine as doubles are
-    made.insert(made.end(), refinement.vertices.begin(), refinement.vertices.end());
-    values.assign(u.begin(), u.end());
-    transfer_vertices(refinement, values);
+    refined.guess.assign(u.begin(), u.end());
+    if (!refined.bisect(largest_indicators(indicators, options.theta))) return steps;
   }
 }
 

@@ -134,6 +134,7 @@ AdaptiveProblem arctan_front() {
   };
   AdaptiveProblem made = problem_on_unit_square("the front", source, {value, gradient});
   made.name = "front";
+  made.first_rounds = 4;
   made.title = "Front, u = atan(60 (r - pi/3))";
   return made;
 }
@@ -183,6 +184,7 @@ AdaptiveProblem gaussian_peak() {
   };
   AdaptiveProblem made = problem_on_unit_square("the peak", source, {value, gradient});
   made.name = "peak";
+  made.first_rounds = 6;
   made.title = "Peak, u = exp(-1000 r^2)";
   return made;
 }

@@ -19,6 +19,8 @@ struct SingularPoint {
 struct AdaptiveProblem {
   std::string name, title;
   Mesh start;
+  /// How often all triangles are bisected before the first step, so that it sees the data at all.
+  std::size_t first_rounds = 0;
   PoissonProblem problem;
   ExactSolution exact;
   std::optional<SingularPoint> singular = {};

@@ -34,6 +34,7 @@ class Folder {
                                 arguments + " >/dev/null 2>&1";
     return WEXITSTATUS(std::system(command.c_str()));
   }
+  bool has(const std::string& file) const { return fs::is_regular_file(path_ / file); }
 
  private:
   fs::path path_;
@@ -57,4 +58,19 @@ TEST_CASE("lepp-poisson: an earlier solution is overwritten only with --force") 
   CHECK(folder.run("plate.ele --dirichlet 4=0 -o u.vtu") == 5);
   CHECK(folder.run("plate.ele --dirichlet 4=0 -o u.vtu --force") == 0);
   CHECK(folder.run("plate.ele --dirichlet 4=0 -o plate.ele --force") == 5);
+}
+
+TEST_CASE("lepp-poisson --adapt: the files of a series appear in the folder, once") {
+  const Folder folder;
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out") == 0);
+  for (const std::string name : {"series.pvd", "errors.svg", "step_000.vtu", "step_006.vtu"}) {
+    CAPTURE(name);
+    CHECK(folder.has("out/" + name));
+  }
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out") == 5);
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --force") == 0);
+  CHECK(folder.run("--adapt peak --max-unknowns 20 --estimator zz --theta 1 --solver direct") == 0);
+  CHECK(folder.run("--adapt t-shape") == 1);
+  CHECK(folder.run("--adapt peak --theta 0") == 1);
+  CHECK(folder.run("plate.ele --theta 0.5 --dirichlet 4=0") == 1);
 }
