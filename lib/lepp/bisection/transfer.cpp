@@ -1,6 +1,5 @@
 #include "lepp/bisection/transfer.hpp"
 
-#include <ranges>
 
 namespace lepp {
 
@@ -14,7 +13,8 @@ void replace_by_last(std::vector<double>& values, TriangleId removed) {
 }  // namespace
 
 void restrict_loads(const Refinement& refinement, std::vector<double>& loads) {
-  for (const auto& [v, a, b] : std::views::reverse(refinement.vertices)) {
+  for (auto it = refinement.vertices.rbegin(); it != refinement.vertices.rend(); ++it) {
+    const auto& [v, a, b] = *it;
     assert(v.index() + 1 == loads.size());
     const double half = 0.5 * loads.back();
     loads.pop_back();
