@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 AdaptiveOptions options_of(const CommandLine& line) {
   AdaptiveOptions options;
+  options.by = line.by == "delaunay" ? RefineBy::delaunay : RefineBy::bisect;
   options.estimator = line.estimator == "zz" ? Estimator::zz : Estimator::residual;
   options.solver = line.solver == "direct" ? LinearSolver::direct : LinearSolver::multigrid;
   options.theta = line.theta;
@@ -27,11 +28,13 @@ AdaptiveOptions options_of(const CommandLine& line) {
 
 void print_head(const CommandLine& line, const AdaptiveProblem& problem) {
   fmt::print("{}\n", problem.title);
-  fmt::print("P1 elements, {} estimator, LEPP-bisection; marked: {}; solver: {}\n", line.estimator,
-             line.theta >= 1
-                 ? "all"
-                 : fmt::format("the fewest with {:g} of the sum of eta_T^2", line.theta),
-             line.solver);
+  const bool boxes = line.by == "delaunay";
+  fmt::print("{}, {} estimator; marked: {}; solver: {}\n",
+             boxes ? "Finite volumes on LEPP-Delaunay meshes, each certified"
+                   : "P1 elements on meshes of LEPP-bisection",
+             line.estimator,
+             line.theta >= 1 ? "all" : fmt::format("the fewest with {:g} of eta^2", line.theta),
+             boxes ? "direct" : line.solver);
   fmt::print("{:>5} {:>9} {:>9} {:>7} {:>11} {:>11} {:>9} {:>10} {:>9}\n", "step", "unknowns",
              "triangles", "angle", "error", "estimate", "est./err.", "iterations", "solve [s]");
 }

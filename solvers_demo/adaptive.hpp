@@ -13,12 +13,17 @@ enum class LinearSolver {
   multigrid,  ///< conjugate gradients with multigrid on the forest, from the last solution
   direct,     ///< Eigen's sparse LDL^T
 };
+enum class RefineBy {
+  bisect,    ///< LEPP-bisection, and finite elements on its mesh
+  delaunay,  ///< LEPP-Delaunay with sizes from the marks, and finite volumes on its Voronoi boxes
+};
 
 struct AdaptiveOptions {
   Estimator estimator = Estimator::residual;
-  LinearSolver solver = LinearSolver::multigrid;
-  double theta = 0.5;                ///< of largest_indicators(); 1 refines everywhere
-  std::size_t max_unknowns = 20000;  ///< the first mesh with as many is the last one
+  RefineBy by = RefineBy::bisect;
+  LinearSolver solver = LinearSolver::multigrid;  ///< of bisection: other meshes have no hierarchy
+  double theta = 0.5;                             ///< of largest_indicators(); 1 refines everywhere
+  std::size_t max_unknowns = 20000;               ///< the first mesh with as many is the last one
 };
 
 /// One turn of the loop.
@@ -37,8 +42,9 @@ using AdaptiveStepDone =
     std::function<void(const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u,
                        const std::vector<double>& indicators)>;
 
-/// Solve, estimate, mark, refine by LEPP-bisection, transfer the solution, and again.
-/// \throw InputError  if a system is not positive definite
+/// Solve, estimate, mark, refine, and again. By bisection each solution starts from the last one;
+/// by LEPP-Delaunay each mesh is certified to be admissible before it is used.
+/// \throw InputError  if a system is not positive definite, or a mesh not admissible
 std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
                                        const AdaptiveOptions& options = {},
                                        const AdaptiveStepDone& step_done = {});

@@ -20,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   lepp-poisson --maximum-principle --folder out
   lepp-poisson --adapt l-shape --max-unknowns 50000 -o out
   lepp-poisson --adapt kellogg --estimator zz --theta 0.3
+  lepp-poisson --adapt front --by delaunay -o out
 
 GROUP is the name or the tag of a physical group. F, V and G are numbers or sums such as
 1+2*x-0.5*y. A boundary without a condition lets nothing through. Where two --dirichlet groups
@@ -35,6 +36,12 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
                                "names a folder for a diagram and a series of .vtu files")
                     ->type_name("PROBLEM")
                     ->check(CLI::IsMember(adaptive_problem_names()));
+  app.add_option("--by", line.by,
+                 "bisect: finite elements on bisected triangles; delaunay: finite volumes on "
+                 "LEPP-Delaunay meshes, each certified")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"bisect", "delaunay"}))
+      ->needs(adapt);
   app.add_option("--estimator", line.estimator, "of the adaptive loop: jumps, or averages")
       ->capture_default_str()
       ->check(CLI::IsMember({"residual", "zz"}))
@@ -48,7 +55,8 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
       ->needs(adapt);
-  app.add_option("--solver", line.solver, "multigrid on the forest, or a factorisation")
+  app.add_option("--solver", line.solver,
+                 "with bisect: multigrid on the forest, or a factorisation")
       ->capture_default_str()
       ->check(CLI::IsMember({"multigrid", "direct"}))
       ->needs(adapt);

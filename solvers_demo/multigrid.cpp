@@ -1,7 +1,6 @@
 #include "multigrid.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
@@ -248,7 +247,7 @@ void Multigrid::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
       z[coarsest_[i]] = values[static_cast<Eigen::Index>(i)];
     }
   }
-  for (const Level& level : std::views::reverse(levels_)) go_up(level, z);
+  for (std::size_t i = levels_.size(); i-- > 0;) go_up(levels_[i], z);
 }
 
 // Gauss-Seidel that keeps the residual up to date: a row is a column too.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "lepp/voronoi/admissible.hpp"
+
 using namespace lepp;
 using namespace lepp::demo;
 
@@ -67,6 +69,26 @@ TEST_CASE("checkerboard: the loop refines towards the point where materials meet
   CHECK(observed_rate(adaptive, &AdaptiveStep::error) > 0.38);
   CHECK(adaptive.back().error < 0.25 * uniform.back().error);
   CHECK(adaptive.back().iterations <= 15);
+}
+
+TEST_CASE("by delaunay: every mesh is admissible, and the error falls as fast") {
+  for (const std::string name : {"l-shape", "front", "peak", "kellogg"}) {
+    CAPTURE(name);
+    const AdaptiveProblem problem = adaptive_problem(name);
+    AdaptiveOptions options;
+    options.by = RefineBy::delaunay;
+    options.max_unknowns = 3000;
+    const auto steps = run_adaptive(
+        problem, options,
+        [&](const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u, const auto&) {
+          CAPTURE(step.vertices);
+          CHECK(certify(mesh).admissible);
+          CHECK(step.min_angle_deg >= 30 - 1e-9);
+          CHECK(static_cast<std::size_t>(u.size()) == mesh.vertex_count());
+        });
+    CHECK(steps.size() > 10);
+    CHECK(observed_rate(steps, &AdaptiveStep::error) > (name == "kellogg" ? 0.35 : 0.48));
+  }
 }
 
 TEST_CASE("the direct solver gives the same errors") {  // ties in marking may be broken otherwise

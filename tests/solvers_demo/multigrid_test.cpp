@@ -67,7 +67,7 @@ TEST_CASE("multigrid: as many iterations on small and on large meshes, uniform o
       CAPTURE(theta);
       CAPTURE(name);
       Case one(name);
-      for (const std::size_t vertices : {500, 5000, 30000}) {
+      for (const std::size_t vertices : {500U, 5000U, 30000U}) {
         CAPTURE(vertices);
         one.refine(vertices, theta);
         const Multigrid multigrid(one.system.K, one.free, one.made);

@@ -1,6 +1,5 @@
 #include "lepp/bisection/transfer.hpp"
 
-
 namespace lepp {
 
 namespace {
@@ -13,8 +12,8 @@ void replace_by_last(std::vector<double>& values, TriangleId removed) {
 }  // namespace
 
 void restrict_loads(const Refinement& refinement, std::vector<double>& loads) {
-  for (auto it = refinement.vertices.rbegin(); it != refinement.vertices.rend(); ++it) {
-    const auto& [v, a, b] = *it;
+  for (std::size_t i = refinement.vertices.size(); i-- > 0;) {
+    const auto& [v, a, b] = refinement.vertices[i];
     assert(v.index() + 1 == loads.size());
     const double half = 0.5 * loads.back();
     loads.pop_back();
