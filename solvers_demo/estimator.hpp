@@ -23,8 +23,8 @@ std::vector<double> residual_indicators(const Mesh& mesh, const PoissonProblem& 
 
 /// Estimator of Zienkiewicz and Zhu [zienkiewicz1987]: eta_T^2 = D |G - grad u_h|^2_T, where G is
 /// linear on T and at each corner the mean of the gradients around it in the region of T, weighted
-/// by areas. Nothing is averaged across interfaces, where gradients jump. Of order |T| better than
-/// the error where u is smooth, so that the quotient of estimate and error tends to 1.
+/// by areas. Nothing is averaged across interfaces, where gradients jump. The quotient of estimate
+/// and error tends to 1 on meshes that are regular nearly everywhere, as those of bisections.
 std::vector<double> zz_indicators(const Mesh& mesh, const PoissonProblem& problem,
                                   const Eigen::VectorXd& u);
 
