@@ -10,13 +10,6 @@
 
 namespace lepp::demo {
 
-/// The vertices that bisections have made out of the roots of a forest, in an order in which they
-/// can be made, with the ids of its mesh. As long as nothing is coarsened, Refinement::vertices of
-/// one call after the other are such a list, for nothing.
-/// Cost  O(triangles): after a first call of coarsen() for all triangles, only what changed, and
-///       what touches it, is tried again
-std::vector<NewVertex> vertices_made(Forest forest);
-
 /// One symmetric V-cycle as a preconditioner. A level lacks the vertices of the one before it that
 /// have only older ones next to them, as if Forest::coarsen() had been called for all. On each
 /// level Gauss-Seidel runs over the vertices that the next level lacks and those that they lie

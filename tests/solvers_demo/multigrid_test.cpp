@@ -9,6 +9,7 @@
 #include "estimator.hpp"
 #include "poisson_fe.hpp"
 #include "support/random.hpp"
+#include "vertices_made.hpp"
 
 using namespace lepp;
 using namespace lepp::demo;
