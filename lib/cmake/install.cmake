@@ -34,8 +34,14 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/triangulation/unfinished.hpp
   lepp/triangulation/validate.hpp
   lepp/refine/refine.hpp
+  lepp/refine/size_field.hpp
   lepp/refine/steiner_point.hpp
   lepp/nonobtuse/nonobtuse.hpp
+  lepp/bisection/forest.hpp
+  lepp/bisection/refine_where.hpp
+  lepp/bisection/region.hpp
+  lepp/bisection/transfer.hpp
+  lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
   lepp/voronoi/admissible.hpp
   lepp/voronoi/voronoi_boxes.hpp)
 target_sources(lepp_io PUBLIC FILE_SET HEADERS

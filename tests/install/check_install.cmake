@@ -51,10 +51,10 @@ file(REMOVE_RECURSE ${SCRATCH})
 run(${CMAKE_COMMAND} --install ${BUILD} --config "${CONFIG}" --prefix ${first})
 file(RENAME ${first} ${prefix})
 
-# ---- headers: nothing private, and no package but in the Boost adaptor --------------------------
+# ---- headers: nothing private, and no package but in the two adaptors ---------------------------
 file(GLOB_RECURSE headers ${prefix}/include/*)
 foreach(header ${headers})
-  if(NOT header MATCHES "/dual_graph_bgl\\.hpp$")
+  if(NOT header MATCHES "/(dual_graph_bgl|transfer_matrix)\\.hpp$")
     file(STRINGS ${header} includes REGEX "^#include <(gmsh|fmt|boost|nlohmann|CLI|Eigen)")
     if(includes)
       message(FATAL_ERROR "${header} needs a package: ${includes}")
