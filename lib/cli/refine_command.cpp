@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "inputs.hpp"
@@ -62,13 +63,15 @@ class Wanted {
     const auto corners = mesh.corners(t);
     if (!(size < max_edge_) && is_in_region(corners)) return true;
     if (!field_) return false;
-    return std::ranges::any_of(corners, [&](Point p) { return size > field_(p); });
+    const auto [a, b, c] = corners;
+    const double wanted = std::min({(*field_)(a), (*field_)(b), (*field_)(c)});
+    return size > field_->least_within(a, b, c, wanted);
   }
 
   // A size for points. A triangle that meets a region has all of its points within its diameter of
   // the region, so with a margin for what the size grows by until there it ends up below max_edge.
   double size_at(Point p) const {
-    double size = field_ ? field_(p) : std::numeric_limits<double>::infinity();
+    double size = field_ ? (*field_)(p) : std::numeric_limits<double>::infinity();
     const double at_region = (1 - grading_) * max_edge_;
     if (regions_.empty()) return std::min(size, max_edge_);
     for (const Region& region : regions_) {
@@ -85,7 +88,7 @@ class Wanted {
 
   double max_edge_, grading_;
   std::vector<Region> regions_;
-  std::function<double(Point)> field_;
+  std::optional<SizeField> field_;
 };
 
 Reason reason_of(const Mesh& mesh, const RefineCommand& command) {

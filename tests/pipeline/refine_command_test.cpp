@@ -79,6 +79,15 @@ TEST_CASE("lepp refine without a region refines all of the mesh; newest vertices
   }
 }
 
+TEST_CASE("a size at a point inside a large triangle holds there, at any grading") {
+  const ScratchFolder folder;
+  make_start(folder);
+  write(folder.path() / "sizes.txt", "0.21 0.37 1e-3\n");
+  REQUIRE(run(folder.path(), "refine start.ele -o out.ele -q --size-file sizes.txt --grading 0.9")
+              .status == 0);
+  CHECK(too_large(folder.path() / "out.ele", Disc{{0.21, 0.37}, 0}, 1.0001e-3) == 0);
+}
+
 TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {
   const ScratchFolder folder;
   make_start(folder);
