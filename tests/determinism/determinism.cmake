@@ -10,7 +10,7 @@ target_compile_options(determinism_hashes PRIVATE -ffp-contract=off)
 target_link_libraries(determinism_hashes PRIVATE lepp::io)
 
 get_target_property(sources lepp_core SOURCES)
-list(FILTER sources EXCLUDE REGEX "voronoi/|nonobtuse/")
+list(FILTER sources EXCLUDE REGEX "voronoi/|nonobtuse/|bisection/|terrain/")
 foreach(name atomic_files boundary_loops entity_table line_reader msh msh_entities places poly_read
         poly_write text_file)
   list(APPEND sources lepp/io/${name}.cpp)
