@@ -22,6 +22,8 @@ AdaptiveOptions options_of(const CommandLine& line) {
   options.estimator = line.estimator == "zz" ? Estimator::zz : Estimator::residual;
   options.solver = line.solver == "direct" ? LinearSolver::direct : LinearSolver::multigrid;
   options.theta = line.theta;
+  options.error_quadrature =
+      line.error_quadrature == "centroids" ? ErrorQuadrature::centroids : ErrorQuadrature::graded;
   options.max_unknowns = line.max_unknowns;
   return options;
 }
@@ -35,6 +37,10 @@ void print_head(const CommandLine& line, const AdaptiveProblem& problem) {
              line.estimator,
              line.theta >= 1 ? "all" : fmt::format("the fewest with {:g} of eta^2", line.theta),
              boxes ? "direct" : line.solver);
+  if (line.error_quadrature == "centroids") {
+    fmt::print(
+        "error by the centroids of 16 equal parts of each triangle: a part of it is missed\n");
+  }
   fmt::print("{:>5} {:>9} {:>9} {:>7} {:>11} {:>11} {:>9} {:>10} {:>9}\n", "step", "unknowns",
              "triangles", "angle", "error", "estimate", "est./err.", "iterations", "solve [s]");
 }
@@ -89,9 +95,13 @@ LogLogPlot plot_of(const AdaptiveProblem& problem, const std::vector<AdaptiveSte
 }
 
 std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
-  nlohmann::ordered_json report{
-      {"schema_version", 1},   {"problem", line.adapt}, {"estimator", line.estimator},
-      {"solver", line.solver}, {"theta", line.theta},   {"steps", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json report{{"schema_version", 1},
+                                {"problem", line.adapt},
+                                {"estimator", line.estimator},
+                                {"solver", line.solver},
+                                {"theta", line.theta},
+                                {"error_quadrature", line.error_quadrature},
+                                {"steps", nlohmann::ordered_json::array()}};
   for (const AdaptiveStep& step : steps) {
     report["steps"].push_back({{"vertices", step.vertices},
                                {"unknowns", step.unknowns},

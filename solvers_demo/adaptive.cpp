@@ -35,7 +35,7 @@ std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
     const Eigen::VectorXd u = scheme->solve(step);
     const std::vector<double> indicators =
         indicators_of(mesh, problem.problem, options.estimator, u);
-    step.error = energy_error(mesh, u, problem);
+    step.error = energy_error(mesh, u, problem, options.error_quadrature);
     step.estimate = std::sqrt(std::accumulate(indicators.begin(), indicators.end(), 0.0));
     step.min_angle_deg = measure(mesh).min_angle_deg;
     steps.push_back(step);

@@ -23,7 +23,8 @@ struct AdaptiveOptions {
   RefineBy by = RefineBy::bisect;
   LinearSolver solver = LinearSolver::multigrid;  ///< of bisection: other meshes have no hierarchy
   double theta = 0.5;                             ///< of largest_indicators(); 1 refines everywhere
-  std::size_t max_unknowns = 20000;               ///< the first mesh with as many is the last one
+  ErrorQuadrature error_quadrature = ErrorQuadrature::graded;
+  std::size_t max_unknowns = 20000;  ///< the first mesh with as many is the last one
 };
 
 /// One turn of the loop.

@@ -18,7 +18,8 @@ struct CommandLine {
   std::string folder = ".";  ///< where the two demonstrations write
   // The adaptive loop; `output` is then a folder.
   std::string adapt;  ///< the problem, adaptive_problem_names(), or empty
-  std::string by = "bisect", estimator = "residual", solver = "multigrid";
+  std::string by = "bisect", estimator = "residual", solver = "multigrid",
+              error_quadrature = "graded";
   double theta = 0.5;
   std::size_t max_unknowns = 20000;
 };

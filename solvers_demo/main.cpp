@@ -20,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   lepp-poisson --maximum-principle --folder out
   lepp-poisson --adapt l-shape --max-unknowns 50000 -o out
   lepp-poisson --adapt kellogg --estimator zz --theta 0.3
+  lepp-poisson --adapt l-shape --theta 1 --error-quadrature centroids
   lepp-poisson --adapt front --by delaunay -o out
 
 GROUP is the name or the tag of a physical group. F, V and G are numbers or sums such as
@@ -59,6 +60,12 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
                  "with bisect: multigrid on the forest, or a factorisation")
       ->capture_default_str()
       ->check(CLI::IsMember({"multigrid", "direct"}))
+      ->needs(adapt);
+  app.add_option("--error-quadrature", line.error_quadrature,
+                 "graded: the true error, also at singular points; centroids: of 16 equal parts of "
+                 "each triangle, as some published figures are")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"graded", "centroids"}))
       ->needs(adapt);
   return adapt;
 }
