@@ -1,4 +1,5 @@
 #include "adaptive_scheme.hpp"
+#include "cross_points.hpp"
 #include "estimator.hpp"
 #include "lepp/bisection/transfer.hpp"
 #include "lepp/geometry/error.hpp"
@@ -72,7 +73,8 @@ class ElementsByBisection : public AdaptiveScheme {
 
   Eigen::VectorXd by_multigrid(const LinearSystem& system, Start start,
                                std::size_t& iterations) const {
-    const Multigrid multigrid(system.K, start.free, made_);
+    const Multigrid multigrid(system.K, start.free, made_,
+                              cross_point_modes(mesh(), problem_.diffusion, start.free));
     IterativeSolution solution =
         solve_iteratively(system, start.free, multigrid, std::move(start.u));
     if (!solution.converged) {

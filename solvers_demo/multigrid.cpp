@@ -107,7 +107,8 @@ void Multigrid::Elimination::remove(std::uint32_t v, std::uint32_t a, std::uint3
 }
 
 Multigrid::Multigrid(const SparseMatrix& K, std::span<const char> free,
-                     std::span<const NewVertex> made) {
+                     std::span<const NewVertex> made, SparseMatrix modes)
+    : deflation_(K, free, std::move(modes)) {
   Elimination rest(K, made);
   std::vector<std::uint32_t> listed(free.size(), 0);  // the last level that has a row of it, + 1
   std::uint32_t number = 0;
@@ -167,7 +168,14 @@ void Multigrid::factorise_coarsest(const Elimination& rest) {
 
 void Multigrid::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
   residual_ = r;
-  z.setZero(r.size());
+  if (deflation_.is_empty()) return cycle(z);
+  const Eigen::VectorXd found = deflation_.take_out(residual_);
+  cycle(z);
+  deflation_.put_back(found, z);
+}
+
+void Multigrid::cycle(Eigen::VectorXd& z) const {
+  z.setZero(residual_.size());
   for (const Level& level : levels_) go_down(level);
   if (!coarsest_.empty()) {
     Eigen::VectorXd right(static_cast<Eigen::Index>(coarsest_.size()));

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "deflation.hpp"
 #include "lepp/bisection/forest.hpp"
 #include "linear_system.hpp"
 
@@ -24,7 +25,9 @@ class Multigrid {
   /// \param free  one per vertex: 0 where a value is given; then also between two such vertices, on
   ///              the edge between them
   /// \param made  all vertices but those of the roots, in the order in which they were made
-  Multigrid(const SparseMatrix& K, std::span<const char> free, std::span<const NewVertex> made);
+  /// \param modes functions that the cycle alone is slow to find, if any: cross_point_modes()
+  Multigrid(const SparseMatrix& K, std::span<const char> free, std::span<const NewVertex> made,
+            SparseMatrix modes = {});
 
   /// z is about K^-1 r; 0 where values are given. Not for two threads at once.
   void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
@@ -56,6 +59,7 @@ class Multigrid {
     return std::span(entries_).subspan(rows_[row].begin, rows_[row + 1].begin - rows_[row].begin);
   }
   void factorise_coarsest(const Elimination& rest);
+  void cycle(Eigen::VectorXd& z) const;
   void go_down(const Level& level) const;
   void go_up(const Level& level, Eigen::VectorXd& z) const;
 
@@ -65,6 +69,7 @@ class Multigrid {
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> coarsest_;  // free vertices of the roots
   Eigen::SimplicialLDLT<SparseMatrix> coarsest_factors_;
+  Deflation deflation_;
   mutable Eigen::VectorXd residual_;
 };
 

@@ -73,7 +73,7 @@ TEST_CASE("checkerboard: the loop refines towards the point where materials meet
   CHECK(observed_rate(uniform, &AdaptiveStep::error) < 0.1);  // tends to gamma / 2
   CHECK(observed_rate(adaptive, &AdaptiveStep::error) > 0.38);
   CHECK(adaptive.back().error < 0.25 * uniform.back().error);
-  CHECK(adaptive.back().iterations <= 15);
+  CHECK(adaptive.back().iterations <= 6);
 }
 
 TEST_CASE("by delaunay: every mesh is admissible, and the error falls as fast") {
