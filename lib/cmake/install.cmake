@@ -40,6 +40,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/forest.hpp
   lepp/bisection/refine_where.hpp
   lepp/bisection/region.hpp
+  lepp/bisection/remesh_transfer.hpp
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
   lepp/voronoi/admissible.hpp

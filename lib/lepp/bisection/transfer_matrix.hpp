@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "lepp/bisection/forest.hpp"
+#include "lepp/bisection/remesh_transfer.hpp"
 
 namespace lepp {
 
-// The maps of transfer.hpp as sparse matrices. Rows: vertices or triangles after the call that
-// returned the log; columns: before. Each costs O(rows + columns); transfer.hpp only the change.
+// The maps of transfer.hpp and remesh_transfer.hpp as sparse matrices. Rows: vertices or triangles
+// of the new mesh, or after the call that returned the log; columns: of the old one, or before.
+// Each costs O(rows + columns); transfer.hpp only the change.
 
 /// P1 through bisect(): of a linear function on each old triangle, the values at all new vertices.
 /// Rows of old vertices are those of the identity; each row sums to 1.
@@ -35,6 +37,13 @@ Eigen::SparseMatrix<double> injection(const Coarsening& coarsening, std::size_t 
 /// \param areas  one per triangle before the call, all > 0
 Eigen::SparseMatrix<double> triangle_averaging(const Coarsening& coarsening,
                                                std::span<const double> areas);
+
+/// P1 to another mesh: at most three entries in each row, which sums to 1.
+Eigen::SparseMatrix<double> interpolation(const VertexTransfer& transfer);
+
+/// P0 to another mesh: a row for each new triangle; the areas of the new triangles times this are
+/// the areas of the old ones, where integrals are kept.
+Eigen::SparseMatrix<double> triangle_projection(const TriangleTransfer& transfer);
 
 // ---- how ---------------------------------------------------------------------------------------
 
@@ -166,6 +175,36 @@ inline Eigen::SparseMatrix<double> triangle_averaging(const Coarsening& coarseni
   }
   A.finalize();
   return A;
+}
+
+inline Eigen::SparseMatrix<double> interpolation(const VertexTransfer& transfer) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * transfer.sources.size());
+  for (std::size_t row = 0; row < transfer.sources.size(); ++row) {
+    const auto& [corners, weights] = transfer.sources[row];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (weights[i] == 0) continue;
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(corners[i].value), weights[i]);
+    }
+  }
+  Eigen::SparseMatrix<double> P(static_cast<Eigen::Index>(transfer.sources.size()),
+                                static_cast<Eigen::Index>(transfer.vertices_before));
+  P.setFromTriplets(entries.begin(), entries.end());
+  return P;
+}
+
+inline Eigen::SparseMatrix<double> triangle_projection(const TriangleTransfer& transfer) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(transfer.shares.size());
+  for (std::size_t row = 0; row + 1 < transfer.begins.size(); ++row) {
+    for (const auto& [from, weight] : transfer.of(TriangleId(row))) {
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(from.value), weight);
+    }
+  }
+  Eigen::SparseMatrix<double> P(static_cast<Eigen::Index>(transfer.begins.size()) - 1,
+                                static_cast<Eigen::Index>(transfer.triangles_before));
+  P.setFromTriplets(entries.begin(), entries.end());
+  return P;
 }
 
 }  // namespace lepp

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <limits>
+
+#include "lepp/bisection/remesh_transfer.hpp"
+#include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/triangulation/locate.hpp"
+
+namespace lepp {
+namespace {
+
+using Source = VertexTransfer::Source;
+
+Source source_at(const Mesh& mesh, const Location& place, Point p) {
+  const auto& corners = mesh.vertices(place.triangle);
+  Source source{corners, {0, 0, 0}};
+  double sum = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (place.at_vertex) {
+      source.weights[i] = corners[i] == *place.at_vertex ? 1 : 0;
+    } else {
+      const double part = signed_area(p, mesh.point(corners[next_corner(i)]),
+                                      mesh.point(corners[previous_corner(i)]));
+      source.weights[i] = std::max(0.0, part);
+    }
+    sum += source.weights[i];
+  }
+  for (double& weight : source.weights) weight /= sum;
+  return source;
+}
+
+/// The place of a boundary edge that is nearest to a point.
+struct NearPlace {
+  HalfEdge edge;
+  double along = 0;  // from the origin of the edge (0) to its destination (1)
+  double squared_distance = std::numeric_limits<double>::infinity();
+};
+
+NearPlace near_place(const Mesh& mesh, HalfEdge e, Point p) {
+  const Point a = mesh.point(mesh.origin(e)), d = mesh.point(mesh.destination(e)) - a;
+  const double s = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
+  return {e, s, squared_distance(a + s * d, p)};
+}
+
+HalfEdge next_side(const Mesh& mesh, HalfEdge e) {
+  HalfEdge next = next_edge(e);
+  while (const auto across = mesh.twin(next)) next = next_edge(*across);
+  return next;
+}
+
+HalfEdge previous_side(const Mesh& mesh, HalfEdge e) {
+  HalfEdge previous = previous_edge(e);
+  while (const auto across = mesh.twin(previous)) previous = previous_edge(*across);
+  return previous;
+}
+
+/// From one edge of the boundary along it, as long as one of the next eight is nearer.
+NearPlace nearest_from(const Mesh& mesh, HalfEdge start, Point p) {
+  constexpr int reach = 8;
+  NearPlace nearest = near_place(mesh, start, p);
+  for (bool nearer = true; nearer;) {  // ends: the distance falls
+    nearer = false;
+    HalfEdge after = nearest.edge, before = nearest.edge;
+    for (int i = 0; i < reach; ++i) {
+      after = next_side(mesh, after);
+      before = previous_side(mesh, before);
+      for (const HalfEdge e : {after, before}) {
+        const NearPlace here = near_place(mesh, e, p);
+        if (!(here.squared_distance < nearest.squared_distance)) continue;
+        nearest = here;
+        nearer = true;
+      }
+    }
+  }
+  return nearest;
+}
+
+NearPlace nearest_of_all(const Mesh& mesh, Point p) {
+  NearPlace nearest;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge e{TriangleId(t), i};
+      if (!mesh.is_boundary(e)) continue;
+      const NearPlace here = near_place(mesh, e, p);
+      if (here.squared_distance < nearest.squared_distance) nearest = here;
+    }
+  }
+  return nearest;
+}
+
+/// Places for new vertices that are outside: each walk starts from the place of a neighbour.
+class OutsidePlaces {
+ public:
+  OutsidePlaces(const Mesh& before, const Mesh& after, VertexTransfer& transfer)
+      : before_(before), after_(after), transfer_(transfer) {}
+
+  /// \param near  by new vertex: an old triangle that contains it, or none
+  void find(std::vector<std::optional<TriangleId>>& near) {
+    std::vector<VertexId> queue;
+    for (std::size_t v = 0; v < near.size(); ++v) {
+      if (!near[v]) continue;
+      for_each_neighbour(VertexId(v), [&](VertexId w) {
+        if (!near[w.index()]) set(w, *near[v], near, queue);
+      });
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const TriangleId hint = *near[queue[i].index()];
+      for_each_neighbour(queue[i], [&](VertexId w) {
+        if (!near[w.index()]) set(w, hint, near, queue);
+      });
+    }
+    for (std::size_t v = 0; v < near.size(); ++v) {  // a part that does not touch the old mesh
+      if (!near[v]) use(VertexId(v), nearest_of_all(before_, after_.point(VertexId(v))));
+    }
+  }
+
+ private:
+  template <class Visit>
+  void for_each_neighbour(VertexId v, Visit visit) const {
+    for_each_in_fan(after_, v, [&](TriangleId t, std::uint32_t corner) {
+      visit(after_.vertex(t, next_corner(corner)));
+      visit(after_.vertex(t, previous_corner(corner)));
+    });
+  }
+
+  void set(VertexId v, TriangleId hint, std::vector<std::optional<TriangleId>>& near,
+           std::vector<VertexId>& queue) {
+    LocateSteps steps;
+    const Point p = after_.point(v);
+    const WalkEnd end = walk(before_, p, hint, before_.triangle_count(), steps);
+    const NearPlace place =
+        end.side ? nearest_from(before_, *end.side, p) : nearest_of_all(before_, p);
+    use(v, place);
+    near[v.index()] = place.edge.triangle;
+    queue.push_back(v);
+  }
+
+  void use(VertexId v, const NearPlace& place) {
+    transfer_.sources[v.index()] = {
+        {before_.origin(place.edge), before_.destination(place.edge), before_.apex(place.edge)},
+        {1 - place.along, place.along, 0}};
+    ++transfer_.outside;
+  }
+
+  const Mesh& before_;
+  const Mesh& after_;
+  VertexTransfer& transfer_;
+};
+
+}  // namespace
+
+VertexTransfer vertex_transfer(const Mesh& before, const Mesh& after) {
+  VertexTransfer transfer;
+  transfer.vertices_before = before.vertex_count();
+  transfer.sources.resize(after.vertex_count());
+  std::vector<std::optional<TriangleId>> near(after.vertex_count());
+  const auto places = locate(before, after.points());
+  bool any_outside = false;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    if (places[v]) {
+      transfer.sources[v] = source_at(before, *places[v], after.points()[v]);
+      near[v] = places[v]->triangle;
+    } else {
+      any_outside = true;
+    }
+  }
+  if (any_outside) OutsidePlaces(before, after, transfer).find(near);
+  return transfer;
+}
+
+}  // namespace lepp
