@@ -1,4 +1,4 @@
-# Installs a build tree, moves what was installed, and uses it from there: the program, then two
+# Installs a build tree, moves what was installed, and uses it from there: the program, then its
 # consumers by find_package() and by pkg-config. Any failure is a fatal error.
 
 cmake_minimum_required(VERSION 3.25)
@@ -28,10 +28,14 @@ function(refuse what text)
   endif()
 endfunction()
 
-# run_consumers(folder): runs both programs in it, and looks at what they were linked with.
+# run_consumers(folder): runs the programs in it, and looks at what they were linked with.
 function(run_consumers folder)
   run(${folder}/core_consumer)
   message(STATUS "core_consumer: ${output}")
+  if(EXISTS ${folder}/adaptive_loop)  # where Eigen is installed
+    run(${folder}/adaptive_loop)
+    message(STATUS "adaptive_loop: ${output}")
+  endif()
   if(HELPER)
     run(${folder}/io_consumer ${geometry} ${prefix}/libexec/lepp/lepp-gmsh ${folder})
   endif()
@@ -94,6 +98,13 @@ foreach(pair core:lepp io:lepp-io)
   run(${CXX} -std=c++20 -O1 ${CMAKE_CURRENT_LIST_DIR}/consumer/${program}.cpp ${flags}
     -o ${SCRATCH}/by_pkg_config/${program})
 endforeach()
+execute_process(COMMAND pkg-config --exists eigen3 RESULT_VARIABLE no_eigen)
+if(NOT no_eigen)
+  run(pkg-config --cflags --libs lepp eigen3)
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run(${CXX} -std=c++20 -O0 ${CMAKE_CURRENT_LIST_DIR}/consumer/adaptive_loop.cpp ${flags}
+    -o ${SCRATCH}/by_pkg_config/adaptive_loop)
+endif()
 set(ENV{LD_LIBRARY_PATH} ${prefix}/${LIBDIR})  # pkg-config sets no run path to shared libraries
 run_consumers(${SCRATCH}/by_pkg_config)
 
