@@ -36,7 +36,7 @@ void print_head(const CommandLine& line, const AdaptiveProblem& problem) {
                    : "P1 elements on meshes of LEPP-bisection",
              line.estimator,
              line.theta >= 1 ? "all" : fmt::format("the fewest with {:g} of eta^2", line.theta),
-             boxes ? "direct" : line.solver);
+             line.solver);
   if (line.error_quadrature == "centroids") {
     fmt::print(
         "error by the centroids of 16 equal parts of each triangle: a part of it is missed\n");

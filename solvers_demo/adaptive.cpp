@@ -12,7 +12,7 @@ namespace {
 
 std::unique_ptr<AdaptiveScheme> scheme_for(const AdaptiveProblem& problem,
                                            const AdaptiveOptions& options) {
-  if (options.by == RefineBy::delaunay) return boxes_by_delaunay(problem);
+  if (options.by == RefineBy::delaunay) return boxes_by_delaunay(problem, options.solver);
   return elements_by_bisection(problem, options.solver);
 }
 

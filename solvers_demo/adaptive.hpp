@@ -10,7 +10,7 @@ namespace lepp::demo {
 
 enum class Estimator { residual, zz };
 enum class LinearSolver {
-  multigrid,  ///< conjugate gradients with multigrid on the forest, from the last solution
+  multigrid,  ///< conjugate gradients with multigrid, from the last solution
   direct,     ///< Eigen's sparse LDL^T
 };
 enum class RefineBy {
@@ -21,8 +21,8 @@ enum class RefineBy {
 struct AdaptiveOptions {
   Estimator estimator = Estimator::residual;
   RefineBy by = RefineBy::bisect;
-  LinearSolver solver = LinearSolver::multigrid;  ///< of bisection: other meshes have no hierarchy
-  double theta = 0.5;                             ///< of largest_indicators(); 1 refines everywhere
+  LinearSolver solver = LinearSolver::multigrid;
+  double theta = 0.5;  ///< of largest_indicators(); 1 refines everywhere
   ErrorQuadrature error_quadrature = ErrorQuadrature::graded;
   std::size_t max_unknowns = 20000;  ///< the first mesh with as many is the last one
 };
@@ -43,7 +43,7 @@ using AdaptiveStepDone =
     std::function<void(const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u,
                        const std::vector<double>& indicators)>;
 
-/// Solve, estimate, mark, refine, and again. By bisection each solution starts from the last one;
+/// Solve, estimate, mark, refine, and again. Each solution starts from the last one, transferred;
 /// by LEPP-Delaunay each mesh is certified to be admissible before it is used.
 /// \throw InputError  if a system is not positive definite, or a mesh not admissible
 std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,

@@ -1,6 +1,7 @@
 #include "adaptive_scheme.hpp"
 #include "cross_points.hpp"
 #include "estimator.hpp"
+#include "first_guess.hpp"
 #include "lepp/bisection/transfer.hpp"
 #include "lepp/geometry/error.hpp"
 #include "multigrid.hpp"
@@ -9,27 +10,6 @@
 
 namespace lepp::demo {
 namespace {
-
-/// What is left to find, and a first guess.
-struct Start {
-  std::vector<char> free;  // by vertex
-  Eigen::VectorXd u;       // with the given values
-  std::size_t unknowns = 0;
-};
-
-Start start_from(const Mesh& mesh, const PoissonProblem& problem, std::vector<double> guess) {
-  const auto fixed = fixed_values(mesh, problem);
-  Start start;
-  start.free.resize(fixed.size(), 0);
-  for (std::size_t v = 0; v < fixed.size(); ++v) {
-    if (fixed[v]) guess[v] = fixed[v]->value;
-    else start.free[v] = 1;
-    start.unknowns += fixed[v] ? 0 : 1;
-  }
-  start.u =
-      Eigen::Map<const Eigen::VectorXd>(guess.data(), static_cast<Eigen::Index>(guess.size()));
-  return start;
-}
 
 class ElementsByBisection : public AdaptiveScheme {
  public:
@@ -48,7 +28,7 @@ class ElementsByBisection : public AdaptiveScheme {
 
   Eigen::VectorXd solve(AdaptiveStep& step) override {
     const LinearSystem system = assemble_fe(mesh(), problem_);
-    Start start = start_from(mesh(), problem_, guess_);
+    FirstGuess start = first_guess(mesh(), problem_, guess_);
     step.unknowns = start.unknowns;
     const Stopwatch watch;
     Eigen::VectorXd u = solver_ == LinearSolver::direct
@@ -71,7 +51,7 @@ class ElementsByBisection : public AdaptiveScheme {
     return !refinement.vertices.empty();
   }
 
-  Eigen::VectorXd by_multigrid(const LinearSystem& system, Start start,
+  Eigen::VectorXd by_multigrid(const LinearSystem& system, FirstGuess start,
                                std::size_t& iterations) const {
     const Multigrid multigrid(system.K, start.free, made_,
                               cross_point_modes(mesh(), problem_.diffusion, start.free));

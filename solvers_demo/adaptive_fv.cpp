@@ -2,11 +2,15 @@
 #include <cmath>
 
 #include "adaptive_scheme.hpp"
+#include "cross_points.hpp"
+#include "first_guess.hpp"
+#include "lepp/bisection/remesh_transfer.hpp"
 #include "lepp/geometry/error.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/refine/size_field.hpp"
 #include "lepp/voronoi/admissible.hpp"
 #include "poisson_fv.hpp"
+#include "remesh_multigrid.hpp"
 #include "stopwatch.hpp"
 
 namespace lepp::demo {
@@ -19,13 +23,14 @@ double longest_edge_length(const std::array<Point, 3>& x) {
 
 class BoxesByDelaunay : public AdaptiveScheme {
  public:
-  explicit BoxesByDelaunay(const AdaptiveProblem& problem)
-      : problem_(problem.problem), name_(problem.title), mesh_(problem.start) {
+  BoxesByDelaunay(const AdaptiveProblem& problem, LinearSolver solver)
+      : problem_(problem.problem), name_(problem.title), solver_(solver), mesh_(problem.start) {
     RefineOptions options;
     if (problem.first_rounds > 0) {  // two rounds halve all edges
       options.max_edge = 2 * std::pow(0.5, static_cast<double>(problem.first_rounds) / 2);
     }
     refine_to(options);
+    guess_.assign(mesh_.vertex_count(), 0.0);
   }
 
   const Mesh& mesh() const override { return mesh_; }
@@ -37,17 +42,20 @@ class BoxesByDelaunay : public AdaptiveScheme {
       throw InputError(name_, certificate.summary(), "refine with nonobtuse boundaries");
     }
     const LinearSystem system = assemble_fv(mesh_, boxes, problem_);
+    FirstGuess start = first_guess(mesh_, problem_, guess_);
+    step.unknowns = start.unknowns;
     const Stopwatch watch;
-    Solution solution = demo::solve(mesh_, problem_, system);
+    Eigen::VectorXd u = solver_ == LinearSolver::direct
+                            ? demo::solve(mesh_, problem_, system).u
+                            : by_multigrid(system, std::move(start), step.iterations);
     step.solve_seconds = watch.seconds();
-    step.unknowns = solution.unknowns;
-    return std::move(solution.u);
+    return u;
   }
 
   // Edges of the size of marked triangles are too long there by a factor of 1.4, as if each were
   // cut in two. Vertices stay as they are: what earlier marks have made fine is not asked for
   // again.
-  bool refine(std::span<const TriangleId> marked, const Eigen::VectorXd&) override {
+  bool refine(std::span<const TriangleId> marked, const Eigen::VectorXd& u) override {
     std::vector<SizeSource> sources;
     for (const TriangleId t : marked) {
       const auto x = mesh_.corners(t);
@@ -57,9 +65,11 @@ class BoxesByDelaunay : public AdaptiveScheme {
     RefineOptions options;
     options.size = SizeField(std::move(sources), 1);
     options.effort = Effort::fast;
-    const std::size_t before = mesh_.vertex_count();
+    const Mesh before = mesh_;
     refine_to(options);
-    return mesh_.vertex_count() > before;
+    guess_.assign(u.begin(), u.end());
+    transfer_vertices(vertex_transfer(before, mesh_), guess_);
+    return mesh_.vertex_count() > before.vertex_count();
   }
 
  private:
@@ -69,15 +79,35 @@ class BoxesByDelaunay : public AdaptiveScheme {
                      "ask for fewer unknowns");
   }
 
+  Eigen::VectorXd by_multigrid(const LinearSystem& system, FirstGuess start,
+                               std::size_t& iterations) {
+    const RemeshMultigrid multigrid(system.K, start.free,
+                                    history_.interpolations(mesh_, start.free),
+                                    cross_point_modes(mesh_, problem_.diffusion, start.free));
+    IterativeSolution solution =
+        solve_iteratively(system, start.free, multigrid, std::move(start.u));
+    if (!solution.converged) {
+      throw InputError("the linear system", "is too ill-conditioned for multigrid",
+                       "use --solver direct");
+    }
+    history_.add(mesh_, start.free);
+    iterations = solution.iterations;
+    return std::move(solution.u);
+  }
+
   const PoissonProblem& problem_;
   std::string name_;
+  LinearSolver solver_;
   Mesh mesh_;
+  MeshHistory history_;
+  std::vector<double> guess_;
 };
 
 }  // namespace
 
-std::unique_ptr<AdaptiveScheme> boxes_by_delaunay(const AdaptiveProblem& problem) {
-  return std::make_unique<BoxesByDelaunay>(problem);
+std::unique_ptr<AdaptiveScheme> boxes_by_delaunay(const AdaptiveProblem& problem,
+                                                  LinearSolver solver) {
+  return std::make_unique<BoxesByDelaunay>(problem, solver);
 }
 
 }  // namespace lepp::demo

@@ -23,6 +23,7 @@ class AdaptiveScheme {
 /// `problem` stays where it is while the scheme is in use.
 std::unique_ptr<AdaptiveScheme> elements_by_bisection(const AdaptiveProblem& problem,
                                                       LinearSolver solver);
-std::unique_ptr<AdaptiveScheme> boxes_by_delaunay(const AdaptiveProblem& problem);
+std::unique_ptr<AdaptiveScheme> boxes_by_delaunay(const AdaptiveProblem& problem,
+                                                  LinearSolver solver);
 
 }  // namespace lepp::demo

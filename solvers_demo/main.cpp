@@ -57,7 +57,7 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
       ->needs(adapt);
   app.add_option("--solver", line.solver,
-                 "with bisect: multigrid on the forest, or a factorisation")
+                 "multigrid, on the forest or on the earlier meshes; or a factorisation")
       ->capture_default_str()
       ->check(CLI::IsMember({"multigrid", "direct"}))
       ->needs(adapt);

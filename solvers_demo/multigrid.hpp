@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "conjugate_gradients.hpp"
 #include "deflation.hpp"
 #include "lepp/bisection/forest.hpp"
 #include "linear_system.hpp"
@@ -18,7 +19,7 @@ namespace lepp::demo {
 /// the next level needs them. So one cycle costs as much as there are vertices, on meshes with any
 /// grading. Coarse matrices are P^T A P, made row by row as vertices are removed. Source
 /// [chen2012]; docs/algorithms/adaptive.md
-class Multigrid {
+class Multigrid : public Preconditioner {
  public:
   /// \param K     symmetric, positive definite on the free vertices; its entries are the mesh's
   ///              edges and diagonals, whatever their values
@@ -29,8 +30,8 @@ class Multigrid {
   Multigrid(const SparseMatrix& K, std::span<const char> free, std::span<const NewVertex> made,
             SparseMatrix modes = {});
 
-  /// z is about K^-1 r; 0 where values are given. Not for two threads at once.
-  void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
+  /// Not for two threads at once.
+  void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const override;
 
   std::size_t levels() const { return levels_.size(); }
 
@@ -72,18 +73,5 @@ class Multigrid {
   Deflation deflation_;
   mutable Eigen::VectorXd residual_;
 };
-
-struct IterativeSolution {
-  Eigen::VectorXd u;
-  std::size_t iterations = 0;
-  bool converged = false;
-};
-
-/// Conjugate gradients with that preconditioner, from `start`, which has the given values already.
-/// \param reduction  of the error in the norm of B K, about the energy norm, against that of the
-///                   start that is 0 at all free vertices
-IterativeSolution solve_iteratively(const LinearSystem& system, std::span<const char> free,
-                                    const Multigrid& multigrid, Eigen::VectorXd start,
-                                    double reduction = 1e-8);
 
 }  // namespace lepp::demo
