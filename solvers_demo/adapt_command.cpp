@@ -77,7 +77,8 @@ void write_series(const fs::path& file, std::size_t steps) {
   files.commit();
 }
 
-LogLogPlot plot_of(const AdaptiveProblem& problem, const std::vector<AdaptiveStep>& steps) {
+LogLogPlot plot_of(const AdaptiveProblem& problem, const std::vector<AdaptiveStep>& steps,
+                   bool uniform) {
   LogLogPlot plot;
   plot.title = problem.title;
   plot.x_label = "unknowns";
@@ -91,12 +92,17 @@ LogLogPlot plot_of(const AdaptiveProblem& problem, const std::vector<AdaptiveSte
     plot.series[1].y.push_back(step.estimate);
   }
   plot.slopes = {{-0.5, "unknowns^(-1/2)"}};
+  if (uniform && problem.singular) {
+    const double rate = problem.singular->exponent / 2;
+    plot.slopes.push_back({-rate, fmt::format("unknowns^(-{:.3g})", rate)});
+  }
   return plot;
 }
 
 std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
   nlohmann::ordered_json report{{"schema_version", 1},
                                 {"problem", line.adapt},
+                                {"by", line.by},
                                 {"estimator", line.estimator},
                                 {"solver", line.solver},
                                 {"theta", line.theta},
@@ -149,7 +155,7 @@ ExitStatus run_adapt(const CommandLine& line) {
   }
   if (writes) {
     write_series(folder / "series.pvd", number);
-    write_plot(plot_of(problem, steps), folder / "errors.svg");
+    write_plot(plot_of(problem, steps, line.theta >= 1), folder / "errors.svg");
     if (talks) {
       fmt::print("wrote {} and {}\n", (folder / "series.pvd").string(),
                  (folder / "errors.svg").string());

@@ -23,6 +23,7 @@ TEST_CASE("a plot has a mark per point, a legend and the reference slopes") {
   CHECK(contains(text, "Errors &amp; orders"));
   CHECK(contains(text, ">FV</text>"));
   CHECK(contains(text, ">slope 2</text>"));
+  CHECK(contains(text, "transform=\"rotate(-90)"));  // the label of y is clear of a long title
   CHECK(contains(text, "stroke-dasharray"));
   CHECK_FALSE(contains(text, "nan"));
   CHECK_FALSE(contains(text, "inf"));

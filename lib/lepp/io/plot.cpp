@@ -150,7 +150,9 @@ void Chart::axes(const LogLogPlot& plot) {
   line({left, top}, {left, bottom}, axis_style);
   text({(left + right) / 2, top - 20}, "text-anchor=\"middle\" font-size=\"16\"", plot.title);
   text({(left + right) / 2, bottom + 42}, "text-anchor=\"middle\"", plot.x_label);
-  text({left - 60, top - 20}, "text-anchor=\"start\"", plot.y_label);
+  // Beside the axis and turned about the origin: above it, it would run into a long title.
+  text({-(top + bottom) / 2, left - 62}, "text-anchor=\"middle\" transform=\"rotate(-90)\"",
+       plot.y_label);
 }
 
 void Chart::series(const std::vector<Point>& points, std::size_t number, std::string_view label) {
