@@ -50,6 +50,20 @@ void transfer_vertices(const VertexTransfer& transfer, std::vector<Value>& value
   values.swap(found);
 }
 
+/// P1 that keeps the integral: the projection in L2. Of all functions that are linear on new
+/// triangles it is the one nearest to the old one u, and its products with all of them are those of
+/// u; with 1 it is the integral, kept to rounding (1e-12 of the integral of |u|) where both meshes
+/// cover the same area. Order 2, linear functions stay; but where u has a kink that the new mesh
+/// does not resolve, new values may be beyond the old ones. Where the old mesh is missing, what
+/// vertex_transfer() gives is taken for u.
+///
+/// The mass matrix is solved with by conjugate gradients, in some 30 iterations on any mesh.
+/// \param transfer  vertex_transfer(before, after)
+/// \param values    one per old vertex; becomes one per new vertex
+/// \pre   as for vertex_transfer().  Cost O(n) expected for each field
+void project_vertices(const Mesh& before, const Mesh& after, const VertexTransfer& transfer,
+                      std::vector<double>& values);
+
 /// P0: which parts of old triangles each new one consists of.
 struct TriangleTransfer {
   struct Share {
