@@ -51,7 +51,8 @@ std::vector<CrossPoint::Sector> sectors_around(const Materials& materials, Verte
     if (!next) return {};
     e = *next;
   } while (e != first);
-  std::ranges::rotate(sectors, std::ranges::min_element(sectors, {}, &CrossPoint::Sector::begin));
+  const auto first_sector = std::ranges::min_element(sectors, {}, &CrossPoint::Sector::begin);
+  std::rotate(sectors.begin(), first_sector, sectors.end());
   return sectors;
 }
 
@@ -186,9 +187,9 @@ std::vector<CrossPoint> cross_points(const Mesh& mesh, std::span<const double> d
     if (degree[v] < 4) continue;
     CrossPoint cross{VertexId(v), sectors_around(materials, VertexId(v)), {}};
     cross.peaks = peaks_of(cross.sectors);
-    std::ranges::rotate(cross.peaks, std::ranges::max_element(cross.peaks, {}, [&](std::size_t p) {
-                          return cross.sectors[p].diffusion;
-                        }));
+    const auto height = [&](std::size_t p) { return cross.sectors[p].diffusion; };
+    std::rotate(cross.peaks.begin(), std::ranges::max_element(cross.peaks, {}, height),
+                cross.peaks.end());
     if (cross.peaks.size() >= 2) found.push_back(std::move(cross));
   }
   return found;

@@ -117,7 +117,6 @@ class HandedOn {
       : areas_(areas_of(before)), taken_(areas_.size(), 0.0), next_giver_(areas_.size()) {
     for (const auto& [from, area] : table.shares) taken_[from.index()] += area;
     const std::vector<TriangleId> to = nearest_with(before, taken_, by_region);
-    std::vector<std::optional<TriangleId>> first(areas_.size());
     for (std::size_t t = areas_.size(); t-- > 0;) {
       if (to[t].index() == t) continue;
       auto& chain = next_giver_[to[t].index()];

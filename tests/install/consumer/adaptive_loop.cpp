@@ -45,13 +45,13 @@ Point gradient(const Mesh& mesh, TriangleId t, const std::vector<double>& u) {
 
 void solve(const Mesh& mesh, std::vector<double>& u) {  // from what u is already
   std::vector<Eigen::Triplet<double>> entries;
-  std::vector<char> given(u.size(), 0);
+  Eigen::VectorXd free = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(u.size()));
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
     const auto x = mesh.corners(t);
     const double scale = 0.5 / cross(x[1] - x[0], x[2] - x[0]);
     for (std::uint32_t k = 0; k < 3; ++k) {
-      if (mesh.is_boundary({t, k})) given[mesh.origin({t, k}).index()] = 1;
+      if (mesh.is_boundary({t, k})) free[mesh.origin({t, k}).value] = 0;
       for (std::uint32_t l = 0; l < 3; ++l) {
         const Point opposite_k = x[(k + 2) % 3] - x[(k + 1) % 3];
         const Point opposite_l = x[(l + 2) % 3] - x[(l + 1) % 3];
@@ -60,17 +60,16 @@ void solve(const Mesh& mesh, std::vector<double>& u) {  // from what u is alread
       }
     }
   }
-  Eigen::Map<Eigen::VectorXd> values(u.data(), static_cast<Eigen::Index>(u.size()));
-  for (std::size_t v = 0; v < u.size(); ++v) {
-    if (given[v] != 0) u[v] = exact(mesh.points()[v]);
+  Eigen::Map<Eigen::VectorXd> values(u.data(), free.size());
+  for (Eigen::Index v = 0; v < free.size(); ++v) {
+    if (free[v] == 0) values[v] = exact(mesh.point(VertexId(static_cast<std::size_t>(v))));
   }
   Eigen::SparseMatrix<double> K(values.size(), values.size());
   K.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd right = -K * values;  // for the correction, which is 0 where u is given
-  K.prune([&](Eigen::Index k, Eigen::Index l, double) { return k == l || !(given[k] + given[l]); });
-  for (std::size_t v = 0; v < u.size(); ++v) {
-    if (given[v] != 0) right[static_cast<Eigen::Index>(v)] = 0;
-  }
+  const Eigen::VectorXd right = -free.cwiseProduct(K * values);  // for the correction, which is 0
+  K.prune([&](Eigen::Index k, Eigen::Index l, double) {          // where u is given
+    return k == l || (free[k] != 0 && free[l] != 0);
+  });
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(K);
   solver.setTolerance(1e-8);
   values += solver.solve(right);
