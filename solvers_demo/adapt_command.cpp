@@ -149,6 +149,9 @@ ExitStatus run_adapt(const CommandLine& line) {
                      ++number;
                    });
   if (talks) {
+    if (steps.back().unknowns < line.max_unknowns) {
+      fmt::print("stopped: no marked triangle can be made smaller\n");
+    }
     fmt::print("over the last tenfold of unknowns: error ~ unknowns^-{:.3f}, estimate ^-{:.3f}\n",
                observed_rate(steps, &AdaptiveStep::error),
                observed_rate(steps, &AdaptiveStep::estimate));

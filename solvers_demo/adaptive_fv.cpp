@@ -8,6 +8,7 @@
 #include "lepp/geometry/error.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/refine/size_field.hpp"
+#include "lepp/triangulation/unfinished.hpp"
 #include "lepp/voronoi/admissible.hpp"
 #include "poisson_fv.hpp"
 #include "remesh_multigrid.hpp"
@@ -56,12 +57,14 @@ class BoxesByDelaunay : public AdaptiveScheme {
   // cut in two. Vertices stay as they are: what earlier marks have made fine is not asked for
   // again.
   bool refine(std::span<const TriangleId> marked, const Eigen::VectorXd& u) override {
+    const double shortest = 4 * default_size_floor(mesh_);  // what refine() is sure to reach
     std::vector<SizeSource> sources;
     for (const TriangleId t : marked) {
       const auto x = mesh_.corners(t);
-      sources.push_back(
-          {(1.0 / 3) * (x[0] + x[1] + x[2]), longest_edge_length(x) / std::sqrt(2.0)});
+      const double size = longest_edge_length(x) / std::sqrt(2.0);
+      if (size >= shortest) sources.push_back({(1.0 / 3) * (x[0] + x[1] + x[2]), size});
     }
+    if (sources.empty()) return false;
     RefineOptions options;
     options.size = SizeField(std::move(sources), 1);
     options.effort = Effort::fast;

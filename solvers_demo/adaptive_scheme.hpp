@@ -16,7 +16,7 @@ class AdaptiveScheme {
   /// The solution at the vertices; notes the unknowns, the iterations and the time.
   virtual Eigen::VectorXd solve(AdaptiveStep& step) = 0;
   /// \param u  the solution on the mesh as it is
-  /// \return   false if nothing could be refined
+  /// \return   false if nothing could be refined: edges are as short as coordinates allow
   virtual bool refine(std::span<const TriangleId> marked, const Eigen::VectorXd& u) = 0;
 };
 

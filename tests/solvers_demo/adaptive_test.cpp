@@ -96,6 +96,21 @@ TEST_CASE("by delaunay: every mesh is admissible, and the error falls as fast") 
   }
 }
 
+TEST_CASE("by delaunay: where edges cannot be shorter, the loop ends with what it has") {
+  AdaptiveProblem far = kellogg();  // so far out that edges end at 0.06
+  for (std::size_t v = 0; v < far.start.vertex_count(); ++v) {
+    far.start.move_vertex(VertexId(v), far.start.points()[v] + Point{0x1p+40, 0});
+  }
+  AdaptiveOptions options;
+  options.by = RefineBy::delaunay;
+  options.theta = 0.5;
+  options.max_unknowns = 100000;
+  const auto steps = run_adaptive(far, options);
+  CHECK(steps.size() > 5);
+  CHECK(steps.back().unknowns < 5000);
+  CHECK(steps.back().min_angle_deg >= 30 - 1e-9);
+}
+
 TEST_CASE("the direct solver gives the same errors") {  // ties in marking may be broken otherwise
   AdaptiveOptions options;
   options.max_unknowns = 2000;
