@@ -40,7 +40,14 @@ double least_seconds(Work work) {
 
 void print_row(double longest_edge) {
   const Mesh before = square(longest_edge, 0.41), after = square(0.98 * longest_edge, 0.37);
-  const double P1 = least_seconds([&] { return vertex_transfer(before, after).outside; });
+  VertexTransfer vertices;
+  const double P1 = least_seconds([&] { vertices = vertex_transfer(before, after); });
+  std::vector<double> values;
+  const double projected = least_seconds([&] {
+    values.assign(before.vertex_count(), 1.0);
+    values.front() = 2;
+    project_vertices(before, after, vertices, values);
+  });
   TriangleTransfer transfer;
   const double P0 = least_seconds([&] { transfer = triangle_transfer(before, after); });
   std::vector<double> densities;
@@ -49,9 +56,10 @@ void print_row(double longest_edge) {
     transfer_triangles(transfer, densities);
   });
   const auto triangles = static_cast<double>(after.triangle_count());
-  std::printf("%9zu %9zu %9.3f %9.2f %9.3f %9.2f %9.2f %9.3f\n", before.triangle_count(),
+  std::printf("%9zu %9zu %9.3f %9.2f %9.3f %9.2f %9.2f %9.3f %9.3f\n", before.triangle_count(),
               after.triangle_count(), P1, 1e6 * P1 / static_cast<double>(after.vertex_count()), P0,
-              1e6 * P0 / triangles, static_cast<double>(transfer.shares.size()) / triangles, once);
+              1e6 * P0 / triangles, static_cast<double>(transfer.shares.size()) / triangles, once,
+              projected);
 }
 
 }  // namespace
@@ -60,7 +68,7 @@ int main(int count, char** arguments) {
   std::vector<double> edges = {0.0075, 0.0024, 0.0016};
   if (count > 1) edges.clear();
   for (int i = 1; i < count; ++i) edges.push_back(std::atof(arguments[i]));
-  std::printf("%9s %9s %9s %9s %9s %9s %9s %9s\n", "before", "after", "P1 [s]", "us/vert.",
-              "P0 [s]", "us/tri.", "pairs", "apply [s]");
+  std::printf("%9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "before", "after", "P1 [s]", "us/vert.",
+              "P0 [s]", "us/tri.", "pairs", "apply [s]", "L2 [s]");
   for (const double edge : edges) print_row(edge);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "lepp/bisection/common_parts.hpp"
 #include "lepp/bisection/remesh_transfer.hpp"
@@ -91,54 +92,74 @@ std::vector<TriangleId> nearest_with(const Mesh& mesh, const std::vector<double>
   return nearest;
 }
 
-/// Rows that add up to the area of the new triangle: means over what is covered.
-void complete_rows(Overlaps& overlaps, const Mesh& after, const std::vector<double>& areas,
-                   bool by_region) {
-  const std::vector<TriangleId> like = nearest_with(after, overlaps.covered, by_region);
-  TriangleTransfer full;
-  full.triangles_before = overlaps.table.triangles_before;
-  full.begins.reserve(areas.size() + 1);
-  full.shares.reserve(overlaps.table.shares.size());
-  for (std::size_t t = 0; t < areas.size(); ++t) {
-    full.begins.push_back(full.shares.size());
-    const double scale = areas[t] / overlaps.covered[like[t].index()];
-    for (const auto& [from, area] : overlaps.table.of(like[t])) {
-      full.shares.push_back({from, scale * area});
+/// Multiplies the weights of row t by factor(t).
+template <class Factor>
+void scale_rows(TriangleTransfer& table, Factor factor) {
+  for (std::size_t t = 0; t + 1 < table.begins.size(); ++t) {
+    const double scale = factor(t);
+    for (std::size_t i = table.begins[t]; i < table.begins[t + 1]; ++i) {
+      table.shares[i].weight *= scale;
     }
   }
-  full.begins.push_back(full.shares.size());
-  overlaps.table = std::move(full);
 }
 
-/// What each old triangle hands on, in all, is its area, and that of those that hand theirs to it.
-class HandedOn {
- public:
-  HandedOn(const Mesh& before, const TriangleTransfer& table, bool by_region)
-      : areas_(areas_of(before)), taken_(areas_.size(), 0.0), next_giver_(areas_.size()) {
-    for (const auto& [from, area] : table.shares) taken_[from.index()] += area;
-    const std::vector<TriangleId> to = nearest_with(before, taken_, by_region);
-    for (std::size_t t = areas_.size(); t-- > 0;) {
-      if (to[t].index() == t) continue;
-      auto& chain = next_giver_[to[t].index()];
-      next_giver_[t] = chain;
-      chain = TriangleId(t);
+/// Gives empty rows those of the nearest triangle that has one. Most often there are none.
+void fill_rows(Overlaps& overlaps, const Mesh& after, bool by_region) {
+  if (std::ranges::all_of(overlaps.covered, [](double area) { return area > 0; })) return;
+  const std::vector<TriangleId> like = nearest_with(after, overlaps.covered, by_region);
+  Overlaps full;
+  full.table.triangles_before = overlaps.table.triangles_before;
+  for (const TriangleId t : like) {
+    full.table.begins.push_back(full.table.shares.size());
+    const auto row = overlaps.table.of(t);
+    full.table.shares.insert(full.table.shares.end(), row.begin(), row.end());
+    full.covered.push_back(overlaps.covered[t.index()]);
+  }
+  full.table.begins.push_back(full.table.shares.size());
+  overlaps = std::move(full);
+}
+
+/// Makes the weights, areas that add up to those of new triangles, add up to those of old ones too:
+/// what an old triangle has is divided in proportion.
+void divide_columns(TriangleTransfer& table, const std::vector<double>& taken,
+                    const std::vector<double>& areas) {
+  for (Share& share : table.shares) {
+    share.weight *= areas[share.from.index()] / taken[share.from.index()];
+  }
+}
+
+/// Adds, beside each share of an old triangle that others hand theirs to, those of the others.
+void add_handed_on(TriangleTransfer& table, const std::vector<TriangleId>& to,
+                   const std::vector<double>& areas) {
+  std::vector<std::optional<TriangleId>> next(to.size());  // a chain from each that receives
+  for (std::size_t t = to.size(); t-- > 0;) {
+    if (to[t].index() == t) continue;
+    next[t] = std::exchange(next[to[t].index()], TriangleId(t));
+  }
+  TriangleTransfer more;
+  more.triangles_before = table.triangles_before;
+  for (std::size_t t = 0; t + 1 < table.begins.size(); ++t) {
+    more.begins.push_back(more.shares.size());
+    for (const Share& share : table.of(TriangleId(t))) {
+      more.shares.push_back(share);
+      const double part = share.weight / areas[share.from.index()];
+      for (auto other = next[share.from.index()]; other; other = next[other->index()]) {
+        more.shares.push_back({*other, part * areas[other->index()]});
+      }
     }
   }
+  more.begins.push_back(more.shares.size());
+  table = std::move(more);
+}
 
-  /// Calls visit(triangle, amount per unit of density) for a part of what `from` hands on.
-  template <class Visit>
-  void for_each(TriangleId from, double area, Visit visit) const {
-    const double part = area / taken_[from.index()];
-    visit(from, part * areas_[from.index()]);
-    for (auto t = next_giver_[from.index()]; t; t = next_giver_[t->index()]) {
-      visit(*t, part * areas_[t->index()]);
-    }
-  }
-
- private:
-  std::vector<double> areas_, taken_;
-  std::vector<std::optional<TriangleId>> next_giver_;  // a chain from each that receives
-};
+void keep_integrals(TriangleTransfer& table, const Mesh& before, bool by_region) {
+  const std::vector<double> areas = areas_of(before);
+  std::vector<double> taken(areas.size(), 0.0);
+  for (const auto& [from, area] : table.shares) taken[from.index()] += area;
+  divide_columns(table, taken, areas);
+  if (std::ranges::all_of(taken, [](double area) { return area > 0; })) return;
+  add_handed_on(table, nearest_with(before, taken, by_region), areas);
+}
 
 }  // namespace
 
@@ -146,31 +167,12 @@ TriangleTransfer triangle_transfer(const Mesh& before, const Mesh& after,
                                    const TriangleTransferOptions& options) {
   const std::vector<double> areas = areas_of(after);
   Overlaps overlaps = overlaps_of(before, after, options.by_region);
-  complete_rows(overlaps, after, areas, options.by_region);
+  fill_rows(overlaps, after, options.by_region);
   TriangleTransfer& table = overlaps.table;
-  if (options.keep == Keep::values) {
-    for (std::size_t t = 0; t < areas.size(); ++t) {
-      for (std::size_t i = table.begins[t]; i < table.begins[t + 1]; ++i) {
-        table.shares[i].weight /= areas[t];
-      }
-    }
-    return std::move(table);
-  }
-  const HandedOn handed_on(before, table, options.by_region);
-  TriangleTransfer transfer;
-  transfer.triangles_before = table.triangles_before;
-  transfer.begins.reserve(table.begins.size());
-  transfer.shares.reserve(table.shares.size());
-  for (std::size_t t = 0; t < areas.size(); ++t) {
-    transfer.begins.push_back(transfer.shares.size());
-    for (const auto& [from, area] : table.of(TriangleId(t))) {
-      handed_on.for_each(from, area, [&](TriangleId old, double amount) {
-        transfer.shares.push_back({old, amount / areas[t]});
-      });
-    }
-  }
-  transfer.begins.push_back(transfer.shares.size());
-  return transfer;
+  scale_rows(table, [&](std::size_t t) { return areas[t] / overlaps.covered[t]; });
+  if (options.keep == Keep::integrals) keep_integrals(table, before, options.by_region);
+  scale_rows(table, [&](std::size_t t) { return 1 / areas[t]; });
+  return std::move(table);
 }
 
 void transfer_triangles(const TriangleTransfer& transfer, std::vector<double>& densities) {
