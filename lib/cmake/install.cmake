@@ -10,12 +10,12 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/geometry/curve.hpp
   lepp/geometry/entities.hpp
   lepp/geometry/error.hpp
+  lepp/geometry/growing_array.hpp
   lepp/geometry/ids.hpp
   lepp/geometry/point.hpp
   lepp/geometry/predicates.hpp
   lepp/geometry/pslg.hpp
   lepp/geometry/triangle_measures.hpp
-  lepp/geometry/unset_allocator.hpp
   lepp/triangulation/constrained_delaunay.hpp
   lepp/triangulation/dual_graph.hpp
   lepp/triangulation/dual_graph_bgl.hpp  # the one that needs Boost; no other includes it

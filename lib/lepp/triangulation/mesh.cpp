@@ -102,8 +102,8 @@ void Mesh::own_edges(std::span<const SegmentId> again) {
 namespace {
 
 template <class T>
-void permute(std::vector<T>& items, std::span<const std::uint32_t> number_of) {
-  std::vector<T> moved(items.size());
+void permute(GrowingArray<T>& items, std::span<const std::uint32_t> number_of) {
+  GrowingArray<T> moved(items.size());
   for (std::size_t i = 0; i < items.size(); ++i) moved[number_of[i]] = items[i];
   items.swap(moved);
 }
@@ -296,15 +296,10 @@ void Mesh::join_records(VertexId a, VertexId v, VertexId b) {
 
 void Mesh::grow(std::size_t vertices, std::size_t triangles) {
   if (triangles_.size() + triangles > max_triangles) refuse_more_triangles();
-  const auto room_for = [](auto& items, std::size_t more) {
-    const std::size_t wanted = items.size() + more;
-    if (wanted > items.capacity()) items.reserve(std::max(wanted, 2 * items.capacity()));
-    items.resize(wanted);
-  };
-  room_for(points_, vertices);
-  room_for(origins_, vertices);
-  room_for(leaving_, vertices);
-  room_for(triangles_, triangles);
+  points_.resize(points_.size() + vertices);
+  origins_.resize(origins_.size() + vertices);
+  leaving_.resize(leaving_.size() + vertices);
+  triangles_.resize(triangles_.size() + triangles);
 }
 
 void Mesh::refuse_more_triangles() const {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lepp/geometry/entities.hpp"
+#include "lepp/geometry/growing_array.hpp"
 #include "lepp/geometry/ids.hpp"
 #include "lepp/geometry/point.hpp"
 #include "lepp/geometry/pslg.hpp"
-#include "lepp/geometry/unset_allocator.hpp"
 #include "lepp/triangulation/edge_records.hpp"
 
 namespace lepp {
@@ -47,7 +47,7 @@ class Triangle {
   std::uint32_t constrained_ = 0;  // bit i: edge i is constrained
 };
 static_assert(sizeof(Triangle) == 32);
-using TriangleArray = std::vector<Triangle, UnsetAllocator<Triangle>>;
+using TriangleArray = GrowingArray<Triangle>;
 
 /// 4 * triangle + edge and "nothing" share 32 bits.
 inline constexpr std::size_t max_triangles = (std::size_t{1} << 30) - 1;
@@ -139,6 +139,11 @@ class Mesh {
   HalfEdge leaving(VertexId v) const { return half_edge(leaving_[v.index()]); }
   /// The half-edge from a to b, if triangles of the fan of leaving(a) have it. O(degree).
   std::optional<HalfEdge> find_edge(VertexId a, VertexId b) const;
+
+  /// Asks the memory for what will be looked at soon: a triangle, or the point of a vertex.
+  void prefetch(TriangleId t) const { __builtin_prefetch(triangles_.data() + t.index()); }
+  void prefetch(VertexId v) const { __builtin_prefetch(points_.data() + v.index()); }
+  void prefetch_leaving(VertexId v) const { __builtin_prefetch(leaving_.data() + v.index()); }
 
   // ---- building and changing: for the triangulation layer ------------------------------------
   // These keep each array consistent in itself; M1 to M6 are the caller's to restore.
@@ -240,9 +245,9 @@ class Mesh {
   void move_record(VertexId end, VertexId from, VertexId to);
   void share_edge(VertexId a, VertexId b, std::vector<SegmentId> owners);
 
-  std::vector<Point> points_;
-  std::vector<VertexOrigin> origins_;
-  std::vector<std::uint32_t> leaving_;  // code of a half-edge that starts at the vertex
+  GrowingArray<Point> points_;
+  GrowingArray<VertexOrigin> origins_;
+  GrowingArray<std::uint32_t> leaving_;  // code of a half-edge that starts at the vertex
   TriangleArray triangles_;
   EdgeRecords constrained_edges_;
   std::vector<Segment> segments_;
