@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -80,4 +81,47 @@ TEST_CASE("one thread: if the first throws, the second is not started") {
   CHECK(outcome.error == "first");
   CHECK_FALSE(outcome.second_ended);
   CHECK(run(1, false, true).error == "second");
+}
+
+TEST_CASE("a second thread does piece after piece, and has done each when run() ends") {
+  for (const unsigned threads : {1U, 2U}) {
+    CAPTURE(threads);
+    SecondThread second;
+    std::size_t by_first = 0, by_second = 0;
+    for (std::size_t i = 1; i <= 1000; ++i) {
+      second.run(
+          threads, [&] { by_first += i; }, [&] { by_second += i; });
+      REQUIRE(by_second == by_first);
+    }
+    CHECK(by_first == 500500);
+  }
+}
+
+TEST_CASE("a second thread hands errors on, the first's if both throw, and works on") {
+  const auto fail = [](const char* what) { return [what] { throw std::runtime_error(what); }; };
+  SecondThread second;
+  for (int i = 0; i < 20; ++i) {
+    bool done = false;
+    CHECK_THROWS_WITH(second.run(
+                          2, [] {}, fail("second")),
+                      "second");
+    CHECK_THROWS_WITH(second.run(2, fail("first"), [&] { done = true; }), "first");
+    CHECK(done);
+    CHECK_THROWS_WITH(second.run(2, fail("first"), fail("second")), "first");
+    done = false;
+    second.run(
+        2, [] {}, [&] { done = true; });
+    CHECK(done);
+  }
+}
+
+TEST_CASE("a second thread that sleeps wakes up") {
+  SecondThread second;
+  for (int i = 0; i < 3; ++i) {
+    int done = 0;
+    second.run(
+        2, [] {}, [&] { ++done; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    CHECK(done == 1);
+  }
 }
