@@ -1,128 +1,90 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 
+#include "lepp/bisection/cutter.hpp"
 #include "lepp/bisection/forest.hpp"
-#include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/two_threads.hpp"
-#include "lepp/triangulation/lepp.hpp"
-#include "lepp/triangulation/split.hpp"
-#include "lepp/triangulation/split_constrained.hpp"
 
 namespace lepp {
 
 namespace {
 
-constexpr std::size_t at_once = 32768, too_few_for_threads = 4096;
-
-// Calls work(begin, end) for both halves of [0, count).
-template <class Work>
-void in_halves(unsigned threads, std::size_t count, const Work& work) {
-  if (count < too_few_for_threads) threads = 1;
-  const std::size_t half = threads < 2 ? count : count / 2;
-  in_parallel(
-      threads, [&] { work(std::size_t{0}, half); }, [&] { work(half, count); });
-}
+constexpr std::size_t at_once = 4096, too_few_for_threads = 512;
 
 }  // namespace
 
-// Lists have triangles that must be cut, and are worked on some thousand at a time. A triangle
-// whose edge is the edge of its neighbour as well, or on the boundary, is cut with that neighbour:
-// such edges belong to different triangles, so all of them can be cut at the same time. Any other
-// one waits for its neighbour, which joins the next list; when that has been cut, it wakes those
-// that waited for it. So each path is followed once, and each of its triangles comes up as often as
-// the triangle across its edge changes.
+// Lists have triangles that must be cut, and are worked on some thousand at a time: a batch. A
+// triangle whose edge is the edge of its neighbour as well, or on the boundary, is cut with that
+// neighbour: such edges belong to different triangles, so all of them can be cut at the same time.
+// Any other one waits for its neighbour, which joins the next list; when that has been cut, it
+// wakes those that waited for it. So each path is followed once, and each of its triangles comes up
+// as often as the triangle across its edge changes.
+//
+// Two threads have half of a batch each; what they find follows each other in the order of the
+// list, so that ids do not depend on their number.
 class Bisector {
  public:
   Bisector(Forest& forest, const BisectOptions& options)
-      : forest_(forest), mesh_(forest.mesh_), options_(options) {}
+      : forest_(forest), mesh_(forest.mesh_), threads_(options.threads), cutter_(forest, options) {}
 
   Refinement run(std::span<const TriangleId> marked);
 
  private:
   using State = Forest::State;
-  enum class Action : std::uint8_t { leave, cut, wait, refuse };  // leave: to the neighbour's item
-  // A triangle that must be cut and, if it is its turn, where and what comes of it.
-  struct Item {
-    HalfEdge e, across;
-    Point middle;
-    double parameter = 0;
-    VertexId vertex;
-    std::uint32_t half_of_t = 0, half_of_u = 0;          // ids of the second halves
-    std::uint32_t children_of_t = 0, children_of_u = 0;  // nodes
-    bool has_across = false, constrained = false;
-    Action action = Action::leave;
+  // What one thread has of a batch.
+  struct Part {
+    std::span<const TriangleId> list;
+    std::vector<Cut> cuts;
+    std::vector<TriangleId> refused, stuck, woken;  // stuck: they wait for what nobody has listed
+    std::vector<TriangleId> waited;                 // of all batches
+    std::size_t sides = 0;
+    std::size_t first_cut = 0, first_side = 0;  // how many come before it
   };
 
-  void judge(Item& item) const;
-  bool is_wanted(TriangleId t) const;
-  bool place_middle(Item& item) const;
-  bool fits(const Item& item) const;
-  void give_ids();
-  void cut(const Item& item);
-  void cut_side(HalfEdge e, VertexId v, std::uint32_t second, std::optional<HalfEdge> beside_a,
-                std::optional<HalfEdge> beside_b);
-  std::optional<HalfEdge> now_across(HalfEdge e) const;
-  void grow_tree(HalfEdge e, std::uint32_t second, std::uint32_t children);
-  std::uint32_t new_children();
-  void split_record(const Item& item);
-  void work_on(std::span<const TriangleId> list);
-  void list_more();
-  void wake(HalfEdge e, std::uint32_t second);
+  std::span<const TriangleId> take(std::span<const TriangleId>& left);
+  void work_on(std::span<const TriangleId> batch);
+  void judge(Part& part);
+  void judge(Part& part, TriangleId t);
+  void make_room();
+  void give_ids(Part& part);
+  std::size_t sides() const { return parts_[0].sides + parts_[1].sides; }
+  std::uint32_t pair(std::size_t i) const;
+  void settle(Part& part);
   void refuse(TriangleId t);
   void finish();
   void list(TriangleId t);
+  bool is_wanted(TriangleId t) const;
+  template <class Work>
+  void in_parts(const Work& work);
 
-  State& state(TriangleId t) { return forest_.state_[t.index()]; }
-  State state(TriangleId t) const { return forest_.state_[t.index()]; }
-  std::uint8_t cut_edge(TriangleId t) const { return forest_.cut_[t.index()]; }
-  std::uint32_t& half(TriangleId t) { return forest_.half_[t.index()]; }
-  std::uint32_t half(TriangleId t) const { return forest_.half_[t.index()]; }
+  State& state(TriangleId t) { return forest_.leaves_[t.index()].state; }
+  State state(TriangleId t) const { return forest_.leaves_[t.index()].state; }
 
   Forest& forest_;
   Mesh& mesh_;
-  const BisectOptions& options_;
+  const unsigned threads_;
+  Cutter cutter_;
+  SecondThread second_;
   Refinement result_;
-  std::vector<TriangleId> list_, next_, waited_;
-  std::vector<Item> items_;
-  std::vector<std::uint32_t> cuts_;  // the items to be cut
+  std::vector<TriangleId> list_, next_, batch_;
+  std::array<Part, 2> parts_;
+  // Of the batch: what there was before it.
+  std::size_t vertices_ = 0, triangles_ = 0, cuts_ = 0, halves_ = 0, pairs_ = 0, free_pairs_ = 0;
 };
 
 Refinement Bisector::run(std::span<const TriangleId> marked) {
+  result_.vertices.reserve(marked.size() / 2);
+  result_.triangles.reserve(marked.size());
+  next_.reserve(marked.size());
   for (const TriangleId t : marked) list(t);
   while (!next_.empty()) {  // ends: keys grow along a path, and each cut fulfils a wish
     list_.swap(next_);
     next_.clear();
-    for (std::size_t i = 0; i < list_.size(); i += at_once) {
-      work_on(std::span(list_).subspan(i, std::min(at_once, list_.size() - i)));
-    }
+    for (std::span<const TriangleId> left = list_; !left.empty();) work_on(take(left));
   }
   finish();
   return std::move(result_);
-}
-
-void Bisector::work_on(std::span<const TriangleId> list) {
-  items_.clear();
-  for (const TriangleId t : list) {
-    if (state(t) != State::listed) continue;  // cut with a neighbour since, or refused with it
-    state(t) = State::taken;                  // a half with this id may be listed once more
-    items_.push_back({});
-    items_.back().e = {t, cut_edge(t)};
-  }
-  in_halves(options_.threads, items_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) judge(items_[i]);
-  });
-  give_ids();
-  in_halves(options_.threads, cuts_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) cut(items_[cuts_[i]]);
-  });
-  in_halves(options_.threads, cuts_.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Item& item = items_[cuts_[i]];
-      grow_tree(item.e, item.half_of_t, item.children_of_t);
-      if (item.has_across) grow_tree(item.across, item.half_of_u, item.children_of_u);
-    }
-  });
-  list_more();
 }
 
 void Bisector::list(TriangleId t) {
@@ -135,200 +97,134 @@ bool Bisector::is_wanted(TriangleId t) const {
   return state(t) == State::listed || state(t) == State::taken;
 }
 
-void Bisector::judge(Item& item) const {
-  const TriangleId t = item.e.triangle;
-  const auto across = mesh_.twin(item.e);
-  item.has_across = across.has_value();
-  if (across) item.across = *across;
-  item.constrained = mesh_.is_constrained(item.e);
-  if (across && cut_edge(across->triangle) != across->edge) {
-    item.action = Action::wait;
-  } else if (across && is_wanted(across->triangle) && across->triangle < t) {
-    item.action = Action::leave;
-  } else {
-    item.action = place_middle(item) ? Action::cut : Action::refuse;
+// The next batch of what is `left` of the list.
+std::span<const TriangleId> Bisector::take(std::span<const TriangleId>& left) {
+  constexpr std::size_t ahead = 32;
+  batch_.clear();
+  std::size_t i = 0;
+  for (; i < left.size() && batch_.size() < at_once; ++i) {
+    if (i + ahead < left.size()) cutter_.prefetch(left[i + ahead]);
+    const TriangleId t = left[i];
+    if (state(t) != State::listed) continue;  // cut with a neighbour since, or refused with it
+    state(t) = State::taken;                  // a half with this id may be listed once more
+    batch_.push_back(t);
   }
+  left = left.subspan(i);
+  return batch_;
 }
 
-bool Bisector::place_middle(Item& item) const {
-  const Point a = mesh_.point(mesh_.origin(item.e)), b = mesh_.point(mesh_.destination(item.e));
-  const Point chord = in_supported_range(midpoint(a, b));
-  if (item.constrained) {
-    const ConstrainedPiece piece = piece_from(mesh_, item.e, mesh_.origin(item.e));
-    if (options_.follow_curves && piece.curve != nullptr) {
-      const CurvePoint on_curve = halfway(*piece.curve, piece.piece);
-      item.middle = in_supported_range(on_curve.point);
-      item.parameter = on_curve.t;
-      if (fits(item)) return true;
+template <class Work>
+void Bisector::in_parts(const Work& work) {
+  second_.run(
+      parts_[1].list.empty() ? 1 : 2, [&] { work(parts_[0]); }, [&] { work(parts_[1]); });
+}
+
+void Bisector::work_on(std::span<const TriangleId> batch) {
+  const bool alone = threads_ < 2 || batch.size() < too_few_for_threads;
+  const std::size_t half = alone ? batch.size() : batch.size() / 2;
+  parts_[0].list = batch.first(half);
+  parts_[1].list = batch.subspan(half);
+  in_parts([&](Part& part) { judge(part); });
+  make_room();
+  in_parts([&](Part& part) { give_ids(part); });
+  in_parts([&](Part& part) {
+    for (std::size_t i = 0; i < part.cuts.size(); ++i) {
+      cutter_.prefetch_for_writes(part.cuts, i);
+      cutter_.write(part.cuts[i], part.woken);
     }
-    item.parameter = 0.5 * (piece.piece.t_a + piece.piece.t_b);
-  }
-  item.middle = chord;
-  return fits(item);
+  });
+  in_parts([&](Part& part) {
+    for (const Cut& cut : part.cuts) cutter_.forget(cut);
+  });
+  for (Part& part : parts_) settle(part);
+  for (const Part& part : parts_) next_.insert(next_.end(), part.woken.begin(), part.woken.end());
+  forest_.free_pairs_.resize(free_pairs_ - std::min(free_pairs_, sides()));
 }
 
-bool Bisector::fits(const Item& item) const { return can_split_edge(mesh_, item.e, item.middle); }
-
-// Ids follow the order of the list, however many threads look at it.
-void Bisector::give_ids() {
-  cuts_.clear();
-  const std::size_t vertices = mesh_.vertex_count(), triangles = mesh_.triangle_count();
-  auto next_triangle = static_cast<std::uint32_t>(triangles);
-  for (std::size_t i = 0; i < items_.size(); ++i) {
-    Item& item = items_[i];
-    if (item.action != Action::cut) continue;
-    item.vertex = VertexId(vertices + cuts_.size());
-    cuts_.push_back(static_cast<std::uint32_t>(i));
-    half(item.e.triangle) = item.half_of_t = next_triangle++;
-    item.children_of_t = new_children();
-    const VertexId a = mesh_.origin(item.e), b = mesh_.destination(item.e);
-    result_.vertices.push_back({item.vertex, a, b});
-    result_.triangles.push_back({item.e.triangle, TriangleId(item.half_of_t)});
-    if (!item.has_across) continue;
-    half(item.across.triangle) = item.half_of_u = next_triangle++;
-    item.children_of_u = new_children();
-    result_.triangles.push_back({item.across.triangle, TriangleId(item.half_of_u)});
+void Bisector::judge(Part& part) {
+  part.cuts.clear();
+  part.refused.clear();
+  part.stuck.clear();
+  part.woken.clear();
+  part.sides = 0;
+  for (std::size_t i = 0; i < part.list.size(); ++i) {
+    cutter_.prefetch_for_plans(part.list, i);
+    judge(part, part.list[i]);
   }
-  mesh_.grow(cuts_.size(), next_triangle - triangles);
-  forest_.node_.resize(next_triangle);
-  forest_.cut_.resize(next_triangle);
-  forest_.state_.resize(next_triangle, State::idle);
-  forest_.half_.resize(next_triangle, Forest::none);
 }
 
-std::uint32_t Bisector::new_children() {
-  auto& free = forest_.free_nodes_;
-  if (free.empty()) {
-    const std::size_t children = forest_.nodes_.size();
-    forest_.nodes_.resize(children + 2);
-    return static_cast<std::uint32_t>(children);
-  }
-  const std::uint32_t children = free.back();
-  free.pop_back();
-  return children;
-}
-
-// What lies across `e` once all of the round is cut.
-std::optional<HalfEdge> Bisector::now_across(HalfEdge e) const {
+void Bisector::judge(Part& part, TriangleId t) {
+  const HalfEdge e = forest_.edge_to_cut(t);
   const auto across = mesh_.twin(e);
-  if (!across || half(across->triangle) == Forest::none) return across;
-  const bool moves = across->edge == next_corner(cut_edge(across->triangle));
-  return moves ? HalfEdge{TriangleId(half(across->triangle)), across->edge} : across;
-}
-
-// Writes the triangles of the item, what is across their edges if that is not cut, and the points
-// that these triangles alone know: others of the round do not.
-void Bisector::cut(const Item& item) {
-  const VertexId v = item.vertex;
-  const TriangleId t_half(item.half_of_t), u_half(item.half_of_u);
-  const HalfEdge e = item.e, f = item.across;
-  VertexOrigin origin{VertexOrigin::Kind::interior, 0};
-  if (item.constrained) origin = origin_on(mesh_, e);
-  mesh_.set_vertex(v, item.middle, origin);
-  if (item.has_across) {
-    cut_side(e, v, item.half_of_t, HalfEdge{u_half, f.edge}, f);
-    cut_side(f, v, item.half_of_u, HalfEdge{t_half, e.edge}, e);
+  if (across && forest_.edge_to_cut(across->triangle) != *across) {
+    const std::atomic_ref neighbour(state(across->triangle));
+    if (neighbour.load(std::memory_order_relaxed) == State::idle) part.stuck.push_back(t);
+    std::atomic_ref(state(t)).store(State::waiting, std::memory_order_relaxed);
+    part.waited.push_back(t);
+  } else if (across && is_wanted(across->triangle) && across->triangle < t) {
+    return;  // cut when the neighbour's turn comes
+  } else if (const auto cut = cutter_.plan(e, across)) {
+    part.cuts.push_back(*cut);
+    part.sides += cut->side_count;
   } else {
-    cut_side(e, v, item.half_of_t, std::nullopt, std::nullopt);
+    part.refused.push_back(t);
   }
-  mesh_.set_leaving(v, {t_half, e.edge});
 }
 
-// `e` runs from a to b; beyond its halves lie `beside_a` and `beside_b`.
-void Bisector::cut_side(HalfEdge e, VertexId v, std::uint32_t second,
-                        std::optional<HalfEdge> beside_a, std::optional<HalfEdge> beside_b) {
-  const TriangleId t = e.triangle, u(second);
-  const HalfEdge to_c = next_edge(e), from_c = previous_edge(e);
-  const auto before = mesh_.twin(to_c), across_to_c = now_across(to_c);
-  auto corners = mesh_.vertices(t), of_second = corners;
-  const VertexId b = corners[previous_corner(e.edge)];
-  of_second[next_corner(e.edge)] = v;
-  corners[previous_corner(e.edge)] = v;
-
-  mesh_.set_triangle(u, of_second, mesh_.region(t));
-  mesh_.set_across({u, e.edge}, beside_b);
-  mesh_.set_across({u, to_c.edge}, across_to_c);
-  mesh_.set_across({u, from_c.edge}, to_c);
-  mesh_.set_constrained_flag({u, e.edge}, mesh_.is_constrained(e));
-  mesh_.set_constrained_flag({u, to_c.edge}, mesh_.is_constrained(to_c));
-  if (before && half(before->triangle) == Forest::none) {  // else it sees to that itself
-    mesh_.set_across(*before, HalfEdge{u, to_c.edge});
-  }
-
-  mesh_.set_across(from_c, now_across(from_c));
-  mesh_.replace_vertices(t, corners[0], corners[1], corners[2]);
-  mesh_.set_across(e, beside_a);
-  mesh_.set_across(to_c, HalfEdge{u, from_c.edge});
-  mesh_.set_constrained_flag(to_c, false);
-  mesh_.move_leaving(b, to_c, {u, to_c.edge});
+void Bisector::make_room() {
+  vertices_ = mesh_.vertex_count();
+  triangles_ = mesh_.triangle_count();
+  cuts_ = result_.vertices.size();
+  halves_ = result_.triangles.size();
+  pairs_ = forest_.pairs_.size();
+  free_pairs_ = forest_.free_pairs_.size();
+  parts_[1].first_cut = parts_[0].cuts.size();
+  parts_[1].first_side = parts_[0].sides;
+  const std::size_t cuts = parts_[1].first_cut + parts_[1].cuts.size();
+  mesh_.grow(cuts, sides());
+  forest_.leaves_.resize(triangles_ + sides());
+  forest_.pairs_.resize(pairs_ + sides() - std::min(free_pairs_, sides()));
+  result_.vertices.resize(cuts_ + cuts);
+  result_.triangles.resize(halves_ + sides());
 }
 
-void Bisector::grow_tree(HalfEdge e, std::uint32_t second, std::uint32_t children) {
-  const TriangleId t = e.triangle, u(second);
-  std::uint32_t edge = previous_corner(e.edge), edge_of_second = next_corner(e.edge);
-  if (forest_.rule_ == BisectionRule::longest_edge) {
-    edge = longest_edge(mesh_, t).edge;
-    edge_of_second = longest_edge(mesh_, u).edge;
-  }
-  forest_.cut_[t.index()] = static_cast<std::uint8_t>(edge);
-  forest_.cut_[u.index()] = static_cast<std::uint8_t>(edge_of_second);
-
-  const std::uint32_t parent = forest_.node_[t.index()];
-  Forest::Node& node = forest_.nodes_[parent];
-  const auto generation = static_cast<std::uint16_t>(node.generation + 1);
-  node.children = children;
-  node.leaf = Forest::none;
-  node.cut = static_cast<std::uint8_t>(e.edge);
-  forest_.nodes_[children] = {parent, Forest::none, t.value, generation, 0};
-  forest_.nodes_[children + 1] = {parent, Forest::none, second, generation, 0};
-  forest_.node_[t.index()] = children;
-  forest_.node_[u.index()] = children + 1;
-  state(t) = State::idle;
-}
-
-void Bisector::split_record(const Item& item) {
-  const VertexId a = mesh_.origin(item.e), v = item.vertex;
-  const VertexId b = mesh_.destination({TriangleId(item.half_of_t), item.e.edge});
-  mesh_.split_record(a, b, v, item.parameter);
-}
-
-// Those that others wait for, and those whose wait is over.
-void Bisector::list_more() {
-  for (const Item& item : items_) {
-    const TriangleId t = item.e.triangle;
-    if (item.action == Action::refuse) {
-      refuse(t);
-      if (item.has_across && is_wanted(item.across.triangle)) refuse(item.across.triangle);
-    } else if (item.action == Action::wait) {
-      state(t) = State::waiting;
-      waited_.push_back(t);
-    } else if (state(t) == State::taken) {
-      state(t) = State::listed;
+// Ids follow the order of the list.
+void Bisector::give_ids(Part& part) {
+  std::size_t cuts = part.first_cut, sides = part.first_side;
+  for (Cut& cut : part.cuts) {
+    const HalfEdge e = cut.sides[0].e;
+    cut.vertex = VertexId(vertices_ + cuts);
+    result_.vertices[cuts_ + cuts++] = {cut.vertex, mesh_.origin(e), mesh_.destination(e)};
+    for (Cut::Side& side : cut.both()) {
+      side.second = TriangleId(triangles_ + sides);
+      side.pair = pair(sides);
+      result_.triangles[halves_ + sides++] = {side.e.triangle, side.second};
     }
-  }
-  for (const Item& item : items_) {
-    if (item.action == Action::wait) {  // where the neighbour has just been cut, wake() sees to it
-      const TriangleId neighbour = item.across.triangle;
-      if (half(neighbour) == Forest::none && state(neighbour) == State::idle) list(neighbour);
-    } else if (item.action == Action::cut) {
-      wake(item.e, item.half_of_t);
-      if (item.has_across) wake(item.across, item.half_of_u);
-      if (item.constrained) split_record(item);
-    }
-  }
-  for (const std::uint32_t i : cuts_) {
-    half(items_[i].e.triangle) = Forest::none;
-    if (items_[i].has_across) half(items_[i].across.triangle) = Forest::none;
+    cutter_.announce(cut);
   }
 }
 
-// Whatever waits for one of the two halves of what was cut at `e`.
-void Bisector::wake(HalfEdge e, std::uint32_t second) {
-  for (const HalfEdge side :
-       {previous_edge(e), HalfEdge{TriangleId(second), next_corner(e.edge)}}) {
-    const auto across = mesh_.twin(side);
-    if (!across || state(across->triangle) != State::waiting) continue;
-    if (cut_edge(across->triangle) == across->edge) list(across->triangle);
+// Unused ones come first, the last of them at first.
+std::uint32_t Bisector::pair(std::size_t i) const {
+  if (i < free_pairs_) return forest_.free_pairs_[free_pairs_ - 1 - i];
+  return static_cast<std::uint32_t>(pairs_ + i - free_pairs_);
+}
+
+// What may concern triangles of the other part, or tables.
+void Bisector::settle(Part& part) {
+  for (const TriangleId t : part.refused) {
+    refuse(t);
+    const auto across = mesh_.twin(forest_.edge_to_cut(t));
+    if (across && is_wanted(across->triangle)) refuse(across->triangle);
+  }
+  for (const TriangleId t : part.stuck) {
+    if (state(t) == State::waiting) list(mesh_.twin(forest_.edge_to_cut(t))->triangle);
+  }
+  for (const Cut& cut : part.cuts) {
+    if (!cut.constrained) continue;
+    const Cut::Side& side = cut.sides[0];
+    const VertexId a = mesh_.origin(side.e), b = mesh_.destination({side.second, side.e.edge});
+    mesh_.split_record(a, b, cut.vertex, cut.parameter);
   }
 }
 
@@ -339,8 +235,10 @@ void Bisector::refuse(TriangleId t) {
 
 // What still waits does so for a triangle that was refused.
 void Bisector::finish() {
-  for (const TriangleId t : waited_) {
-    if (state(t) == State::waiting) refuse(t);
+  for (const Part& part : parts_) {
+    for (const TriangleId t : part.waited) {
+      if (state(t) == State::waiting) refuse(t);
+    }
   }
   for (const TriangleId t : result_.refused) state(t) = State::idle;
   std::ranges::sort(result_.refused);

@@ -16,22 +16,21 @@ class Coarsener {
 
  private:
   using State = Forest::State;
-  using Node = Forest::Node;
 
   bool can_be_whole(std::uint32_t parent) const;
   bool is_newest_corner(TriangleId t, std::uint32_t corner) const;
-  TriangleId first_half(std::uint32_t n) const { return TriangleId(node(node(n).children).leaf); }
-  TriangleId second_half(std::uint32_t n) const {
-    return TriangleId(node(node(n).children + 1).leaf);
+  // \pre  `parent` is cut and its halves are not
+  TriangleId half(std::uint32_t parent, std::uint32_t h) const {
+    return TriangleId(forest_.link(2 * forest_.link(parent) + h));
   }
   void remove_vertex(std::uint32_t parent);
   std::uint32_t join(std::uint32_t parent);
   void remove_triangle(TriangleId t);
 
-  Node& node(std::uint32_t n) { return forest_.nodes_[n]; }
-  const Node& node(std::uint32_t n) const { return forest_.nodes_[n]; }
-  std::uint32_t node_of(TriangleId t) const { return forest_.node_[t.index()]; }
-  State state(TriangleId t) const { return forest_.state_[t.index()]; }
+  std::uint32_t node_of(TriangleId t) const { return forest_.leaves_[t.index()].node; }
+  std::uint32_t parent_of(TriangleId t) const { return forest_.parent(node_of(t)); }
+  State& state(TriangleId t) { return forest_.leaves_[t.index()].state; }
+  State state(TriangleId t) const { return forest_.leaves_[t.index()].state; }
 
   Forest& forest_;
   Mesh& mesh_;
@@ -43,23 +42,22 @@ Coarsening Coarsener::run(std::span<const TriangleId> marked) {
   std::vector<std::uint32_t> nodes, parents;
   for (const TriangleId t : marked) {
     if (state(t) == State::listed) continue;
-    forest_.state_[t.index()] = State::listed;
+    state(t) = State::listed;
     nodes.push_back(node_of(t));
-    if (node(node_of(t)).parent != Forest::none) parents.push_back(node(node_of(t)).parent);
+    if (parent_of(t) != Forest::none) parents.push_back(parent_of(t));
   }
   for (const std::uint32_t parent : parents) {
     if (can_be_whole(parent)) remove_vertex(parent);
   }
   for (const std::uint32_t n : nodes) {
-    if (node(n).leaf != Forest::none) forest_.state_[node(n).leaf] = State::idle;
+    if (forest_.link(n) != Forest::none) state(TriangleId(forest_.link(n))) = State::idle;
   }
   return std::move(result_);
 }
 
 bool Coarsener::can_be_whole(std::uint32_t parent) const {
-  const std::uint32_t children = node(parent).children;
-  if (children == Forest::none || node(children).leaf == Forest::none) return false;
-  const VertexId v = mesh_.vertex(first_half(parent), previous_corner(node(parent).cut));
+  if (forest_.is_leaf(parent) || !forest_.is_leaf(2 * forest_.link(parent))) return false;
+  const VertexId v = mesh_.vertex(half(parent, 0), previous_corner(forest_.cut(parent)));
   std::size_t around = 0;
   bool all = true;
   for_each_in_fan(mesh_, v, [&](TriangleId t, std::uint32_t corner) {
@@ -71,39 +69,41 @@ bool Coarsener::can_be_whole(std::uint32_t parent) const {
 }
 
 bool Coarsener::is_newest_corner(TriangleId t, std::uint32_t corner) const {
-  const std::uint32_t parent = node(node_of(t)).parent;
+  const std::uint32_t parent = parent_of(t);
   if (parent == Forest::none) return false;
-  const bool is_first = node(parent).children == node_of(t);
-  const std::uint32_t cut = node(parent).cut;
-  return corner == (is_first ? previous_corner(cut) : next_corner(cut));
+  const std::uint32_t cut = forest_.cut(parent);
+  return corner == (Forest::is_first(node_of(t)) ? previous_corner(cut) : next_corner(cut));
 }
 
 void Coarsener::remove_vertex(std::uint32_t parent) {
-  const std::uint32_t cut = node(parent).cut;
-  const HalfEdge a_to_v{first_half(parent), cut}, v_to_b{second_half(parent), cut};
+  const std::uint32_t cut = forest_.cut(parent);
+  const HalfEdge a_to_v{half(parent, 0), cut}, v_to_b{half(parent, 1), cut};
   const VertexId a = mesh_.origin(a_to_v), v = mesh_.destination(a_to_v),
                  b = mesh_.destination(v_to_b);
   const bool constrained = mesh_.is_constrained(a_to_v);
   const auto across = mesh_.twin(a_to_v);
-  std::array<std::uint32_t, 2> parents{parent, Forest::none};
-  if (across) parents[1] = node(node_of(across->triangle)).parent;
+  std::array<std::uint32_t, 2> parents{parent, Forest::none}, cuts{cut, 0};
+  if (across) {
+    parents[1] = parent_of(across->triangle);
+    cuts[1] = forest_.cut(parents[1]);
+  }
   const std::span joined(parents.begin(), across ? 2 : 1);
   std::array<std::uint32_t, 2> halves{};  // nodes of what is left over
   for (std::size_t i = 0; i < joined.size(); ++i) halves[i] = join(joined[i]);
-  const HalfEdge e{TriangleId(node(parent).leaf), cut};
-  if (across) mesh_.link(e, {TriangleId(node(parents[1]).leaf), node(parents[1]).cut});
+  const HalfEdge e{TriangleId(forest_.link(parent)), cut};
+  if (across) mesh_.link(e, {TriangleId(forest_.link(parents[1])), cuts[1]});
   else mesh_.unlink(e);
   if (constrained) mesh_.join_records(a, v, b);
 
   // The larger id first, so that neither moves into the place of the other.
-  if (across && node(halves[0]).leaf < node(halves[1]).leaf) {
+  if (across && forest_.link(halves[0]) < forest_.link(halves[1])) {
     std::swap(parents[0], parents[1]);
     std::swap(halves[0], halves[1]);
   }
   for (std::size_t i = 0; i < joined.size(); ++i) {
-    const TriangleId other(node(halves[i]).leaf);
-    result_.triangles.push_back({TriangleId(node(joined[i]).leaf), other});
-    node(halves[i]) = {};
+    const TriangleId other(forest_.link(halves[i]));
+    result_.triangles.push_back({TriangleId(forest_.link(joined[i])), other});
+    forest_.link(halves[i]) = Forest::none;
     remove_triangle(other);
   }
   result_.vertices.push_back({v, a, b});
@@ -111,10 +111,10 @@ void Coarsener::remove_vertex(std::uint32_t parent) {
 }
 
 // Makes the first half the whole triangle. The second one stays behind, with nothing linked to it,
-// and the second child with it.
+// and the second node of the pair with it.
 std::uint32_t Coarsener::join(std::uint32_t parent) {
-  const TriangleId t = first_half(parent), u = second_half(parent);
-  const std::uint32_t cut = node(parent).cut, to_c = next_corner(cut),
+  const TriangleId t = half(parent, 0), u = half(parent, 1);
+  const std::uint32_t cut = forest_.cut(parent), to_c = next_corner(cut),
                       from_c = previous_corner(cut);
   const VertexId b = mesh_.vertex(u, previous_corner(cut)), c = mesh_.vertex(t, cut);
   auto corners = mesh_.vertices(t);
@@ -124,28 +124,22 @@ std::uint32_t Coarsener::join(std::uint32_t parent) {
   mesh_.move_leaving(b, {u, to_c}, {t, to_c});
   mesh_.move_leaving(c, {u, from_c}, {t, from_c});
 
-  const std::uint32_t children = node(parent).children;
-  node(parent).children = Forest::none;
-  node(parent).leaf = t.value;
-  node(children) = {};
-  forest_.free_nodes_.push_back(children);
-  forest_.node_[t.index()] = parent;
-  forest_.cut_[t.index()] = static_cast<std::uint8_t>(cut);
-  forest_.state_[t.index()] = State::idle;  // once a call
-  return children + 1;
+  const std::uint32_t pair = forest_.link(parent);
+  forest_.link(parent) = t.value;
+  forest_.cut(parent) = Forest::uncut;
+  forest_.link(2 * pair) = Forest::none;
+  forest_.free_pairs_.push_back(pair);
+  forest_.leaves_[t.index()] = {parent, Forest::none, static_cast<std::uint8_t>(cut),
+                                State::idle};  // once a call
+  return 2 * pair + 1;
 }
 
 void Coarsener::remove_triangle(TriangleId t) {
   mesh_.remove_triangle(t);
-  const auto move_last = [&](auto& items) {
-    items[t.index()] = items.back();
-    items.pop_back();
-  };
-  move_last(forest_.node_);
-  move_last(forest_.cut_);
-  move_last(forest_.state_);
-  move_last(forest_.half_);
-  if (t.index() < forest_.node_.size()) node(node_of(t)).leaf = t.value;
+  auto& leaves = forest_.leaves_;
+  leaves[t.index()] = leaves.back();
+  leaves.pop_back();
+  if (t.index() < leaves.size()) forest_.link(node_of(t)) = t.value;
 }
 
 Coarsening Forest::coarsen(std::span<const TriangleId> marked) {

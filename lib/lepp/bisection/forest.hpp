@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "lepp/geometry/growing_array.hpp"
 #include "lepp/triangulation/mesh.hpp"
 
 namespace lepp {
@@ -72,7 +74,8 @@ class Forest {
   /// Cuts each marked triangle once, and before it what must be cut so that the mesh conforms: the
   /// triangles of its LEPP. Ids of a triangle that is cut, and of all vertices, stay.
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
-  /// Cost  O(new triangles), and array growth now and then
+  /// Cost  O(new triangles): arrays grow twofold, and are not copied where the system can move pages
+  ///       (growing_array.hpp). The table of constrained edges is, when it doubles.
   Refinement bisect(std::span<const TriangleId> marked, const BisectOptions& options = {});
 
   /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
@@ -85,37 +88,52 @@ class Forest {
   std::size_t root_count() const { return roots_; }
   std::size_t root_vertex_count() const { return root_vertices_; }
   /// How often it was cut out of its root: 0 for a root.
-  std::uint32_t generation(TriangleId t) const { return nodes_[node_[t.index()]].generation; }
+  std::uint32_t generation(TriangleId t) const {
+    return pairs_[leaves_[t.index()].node / 2].generation;
+  }
   /// The triangle of the start that `t` lies in, by its id there. O(generation)
   TriangleId root(TriangleId t) const;
   /// The other half of the triangle that `t` is a half of, if that is a leaf; nothing for a root.
   std::optional<TriangleId> sibling(TriangleId t) const;
   /// The edge of `t` that will be cut.
-  HalfEdge edge_to_cut(TriangleId t) const { return {t, cut_[t.index()]}; }
+  HalfEdge edge_to_cut(TriangleId t) const { return {t, leaves_[t.index()].cut}; }
 
  private:
   friend class Bisector;
+  friend class Cutter;
   friend class Coarsener;
   static constexpr std::uint32_t none = 0xFFFFFFFFU;
-  struct Node {
-    std::uint32_t parent = none;
-    std::uint32_t children = none;  // the second one follows the first
-    std::uint32_t leaf = none;      // the triangle, if there are no children
+  static constexpr std::uint8_t uncut = 3;
+  // Nodes of the trees, by twos: half h of pair p is node 2 p + h. Root t is node t; what such a
+  // pair says of a parent holds for both, as there is none.
+  struct Pair {
+    std::uint32_t parent = none;                    // the node whose halves they are
+    std::array<std::uint32_t, 2> link{none, none};  // of each: its triangle, or its pair if cut
     std::uint16_t generation = 0;
-    std::uint8_t cut = 0;  // the edge, if there are children
+    std::array<std::uint8_t, 2> cut{uncut, uncut};  // of each: the edge that was cut
   };
   enum class State : std::uint8_t { idle, listed, taken, waiting, refused };
+  struct Leaf {
+    std::uint32_t node = none;
+    std::uint32_t half = none;  // within a round, if it is being cut: 4 * second half + edge
+    std::uint8_t cut = 0;       // the edge that will be cut
+    State state = State::idle;  // between two calls: idle
+  };
+
+  static bool is_first(std::uint32_t node) { return node % 2 == 0; }
+  bool is_leaf(std::uint32_t node) const { return pairs_[node / 2].cut[node % 2] == uncut; }
+  std::uint32_t parent(std::uint32_t node) const { return pairs_[node / 2].parent; }
+  std::uint32_t link(std::uint32_t node) const { return pairs_[node / 2].link[node % 2]; }
+  std::uint32_t& link(std::uint32_t node) { return pairs_[node / 2].link[node % 2]; }
+  std::uint8_t& cut(std::uint32_t node) { return pairs_[node / 2].cut[node % 2]; }
+  std::uint8_t cut(std::uint32_t node) const { return pairs_[node / 2].cut[node % 2]; }
 
   Mesh mesh_;
   BisectionRule rule_;
   std::size_t roots_, root_vertices_;
-  std::vector<Node> nodes_;                // the roots first
-  std::vector<std::uint32_t> free_nodes_;  // first ones of unused pairs
-  // By triangle:
-  std::vector<std::uint32_t> node_;
-  std::vector<std::uint8_t> cut_;    // the edge that will be cut
-  std::vector<State> state_;         // idle between two calls
-  std::vector<std::uint32_t> half_;  // none between two rounds: the second half of one being cut
+  GrowingArray<Pair> pairs_;               // those of the roots first
+  std::vector<std::uint32_t> free_pairs_;  // unused
+  GrowingArray<Leaf> leaves_;              // by triangle
 };
 
 }  // namespace lepp

@@ -4,10 +4,17 @@
 
 namespace lepp {
 
-EdgeKey edge_key(const Mesh& mesh, HalfEdge e) {
-  const auto [low, high] =
-      std::minmax({mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e))});
+namespace {
+
+EdgeKey key_between(Point p, Point q) {
+  const auto [low, high] = std::minmax(p, q);
   return {squared_distance(low, high), low, high};
+}
+
+}  // namespace
+
+EdgeKey edge_key(const Mesh& mesh, HalfEdge e) {
+  return key_between(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)));
 }
 
 std::array<HalfEdge, 3> edges_by_length(const Mesh& mesh, TriangleId t) {
@@ -17,17 +24,21 @@ std::array<HalfEdge, 3> edges_by_length(const Mesh& mesh, TriangleId t) {
 }
 
 // Which end comes first only tells among equal lengths.
-HalfEdge longest_edge(const Mesh& mesh, TriangleId t) {
-  const auto [a, b, c] = mesh.corners(t);
+std::uint32_t longest_edge(const std::array<Point, 3>& corners) {
+  const auto& [a, b, c] = corners;
   const std::array lengths{squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)};
-  HalfEdge longest{t, 0};
+  const auto key = [&](std::uint32_t i) {
+    return key_between(corners[next_corner(i)], corners[previous_corner(i)]);
+  };
+  std::uint32_t longest = 0;
   for (const std::uint32_t i : {1U, 2U}) {
-    const double length = lengths[i], most = lengths[longest.edge];
-    if (length < most) continue;
-    if (length > most || edge_key(mesh, {t, i}) > edge_key(mesh, longest)) longest.edge = i;
+    if (lengths[i] < lengths[longest]) continue;
+    if (lengths[i] > lengths[longest] || key(i) > key(longest)) longest = i;
   }
   return longest;
 }
+
+HalfEdge longest_edge(const Mesh& mesh, TriangleId t) { return {t, longest_edge(mesh.corners(t))}; }
 
 bool is_terminal(const Mesh& mesh, HalfEdge e) {
   if (mesh.is_constrained(e)) return true;

@@ -20,6 +20,8 @@ EdgeKey edge_key(const Mesh& mesh, HalfEdge e);
 std::array<HalfEdge, 3> edges_by_length(const Mesh& mesh, TriangleId t);
 
 HalfEdge longest_edge(const Mesh& mesh, TriangleId t);
+/// The same of a triangle that need not be in a mesh: the corner opposite.
+std::uint32_t longest_edge(const std::array<Point, 3>& corners);
 
 /// True if `e`, the longest edge of its triangle, ends a LEPP: it is constrained (the boundary is),
 /// or it is the longest edge of the triangle across as well.
