@@ -10,7 +10,7 @@ namespace lepp {
 
 namespace {
 
-constexpr std::size_t at_once = 4096, too_few_for_threads = 512;
+constexpr std::size_t at_once = 4096, too_few_for_threads = 1024;
 
 }  // namespace
 

@@ -42,9 +42,9 @@ class Cutter {
   /// Tells those who look across its edges that the triangles of the cut will be cut.
   void announce(const Cut& cut);
   /// Writes the triangles of the cut, what is across their edges if that is not cut, the points
-  /// that these triangles alone know, and the trees. \pre all cuts of the round are announced, and
-  /// there is room for what is new \param woken  gets the triangles that waited for one of the cut,
-  /// and are listed now
+  /// that these triangles alone know, and the trees. Lists the triangles that waited for them.
+  /// \pre    all cuts of the round are announced, and there is room for what is new
+  /// \param  woken  gets those that are listed now
   void write(const Cut& cut, std::vector<TriangleId>& woken);
   /// The round is over for the triangles of the cut.
   void forget(const Cut& cut);

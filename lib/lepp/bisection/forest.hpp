@@ -74,8 +74,8 @@ class Forest {
   /// Cuts each marked triangle once, and before it what must be cut so that the mesh conforms: the
   /// triangles of its LEPP. Ids of a triangle that is cut, and of all vertices, stay.
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
-  /// Cost  O(new triangles): arrays grow twofold, and are not copied where the system can move pages
-  ///       (growing_array.hpp). The table of constrained edges is, when it doubles.
+  /// Cost  O(new triangles). Arrays grow twofold without being copied where the system can move
+  ///       pages (growing_array.hpp); the table of constrained edges is copied when it doubles.
   Refinement bisect(std::span<const TriangleId> marked, const BisectOptions& options = {});
 
   /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
