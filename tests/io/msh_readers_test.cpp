@@ -41,7 +41,7 @@ std::string quoted(const std::filesystem::path& path) {
 
 // The groups that meshio finds; nothing without meshio.
 std::optional<std::string> meshio_groups(const std::filesystem::path& msh) {
-  const auto script = std::filesystem::path(__FILE__).parent_path() / "meshio_groups.py";
+  const auto script = std::filesystem::path(LEPP_TESTS) / "io" / "meshio_groups.py";
   if (!std::filesystem::exists("/usr/bin/python3")) return std::nullopt;
   const Ran ran = run("/usr/bin/python3 " + quoted(script) + " " + quoted(msh));
   if (ran.status == 3) return std::nullopt;
