@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lepp/geometry/pslg.hpp"
+#include "lepp/terrain/height_grid.hpp"
+
+namespace lepp {
+
+/// A line that the TIN keeps as a chain of edges, in world coordinates.
+struct Breakline {
+  std::vector<Point> points;
+  std::vector<double> heights;  ///< hard: one per point; soft: empty, heights are the grid's
+  std::string name;             ///< what messages call it
+};
+
+/// A polygon in world coordinates: outer ring first, then holes; rings need not repeat the first
+/// point at the end.
+struct ClipPolygon {
+  std::vector<std::vector<Point>> rings;
+};
+
+struct DomainOptions {
+  std::vector<ClipPolygon> clip = {};  ///< the union of them; empty: all of the grid
+  std::vector<Breakline> breaklines = {};
+};
+
+/// What is to be meshed, in grid space (height_grid.hpp).
+struct TerrainDomain {
+  Pslg pslg;
+  /// Heights that hard breaklines ask for, one per point of `pslg`; NaN: the grid's.
+  std::vector<double> fixed_heights;
+  std::vector<std::string> warnings;
+};
+
+/// The outline of the samples that have data, holes where they have none, cut by clip polygons, with
+/// breaklines inside. No closed triangle of a mesh of it has a sample without data in it, and every
+/// sample with data (inside the clip polygons) is in one.
+/// \throw InputError  no data at all; a grid of one row or column; lines that are no numbers
+TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& options = {});
+
+/// The height of the grid at a place in grid space: bilinear within cells whose four samples have
+/// data; linear in the triangle of the three that have; else that of the nearest sample with data.
+double height_at(const HeightGrid& grid, Point p);
+
+}  // namespace lepp
