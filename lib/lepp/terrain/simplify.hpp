@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "lepp/geometry/pslg.hpp"
 #include "lepp/terrain/height_grid.hpp"
+#include "lepp/terrain/terrain_domain.hpp"
 #include "lepp/terrain/tin.hpp"
 #include "lepp/triangulation/unfinished.hpp"
 
@@ -68,11 +68,11 @@ struct SimplifyReport {
 };
 
 /// A grid as a TIN within a domain.
-/// \param domain  outline, holes and breaklines in grid space (terrain_domain.hpp)
+/// \param domain  outline, holes and breaklines in grid space, and heights that lines ask for
 /// \return  a TIN in grid space; its mesh satisfies M1 to M6 (planar metric)
 /// \throw   InputError on options out of range, RefusedError
 /// Source   [rivara1999] section 8, [garland1995]; docs/algorithms/terrain.md
-Tin simplify(const HeightGrid& grid, const Pslg& domain, const SimplifyOptions& options,
+Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const SimplifyOptions& options,
              SimplifyReport& report);
 
 /// The error of any TIN of a grid, computed from nothing but the two, sample by sample, in double
