@@ -2,6 +2,7 @@
 add_library(lepp_io
   lepp/io/atomic_files.cpp
   lepp/io/boundary_loops.cpp
+  lepp/io/classic_netcdf.cpp
   lepp/io/entity_table.cpp
   lepp/io/geo.cpp
   lepp/io/gmsh_chords.cpp
@@ -32,8 +33,13 @@ add_library(lepp_io
   lepp/io/poly_write.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
+  lepp/io/selafin_write.cpp
   lepp/io/size_file.cpp
   lepp/io/text_file.cpp
+  lepp/io/tin_solver_write.cpp
+  lepp/io/tin_surface_write.cpp
+  lepp/io/tin_write.cpp
+  lepp/io/ugrid_write.cpp
   lepp/io/vtu.cpp)
 add_library(lepp::io ALIAS lepp_io)
 target_compile_features(lepp_io PUBLIC cxx_std_20)

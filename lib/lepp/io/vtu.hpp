@@ -17,6 +17,7 @@ struct NamedValues {
 };
 
 struct VtuData {
+  std::vector<double> heights = {};  ///< z coordinates, one per vertex; empty: all 0
   std::vector<NamedValues> at_vertices = {};
   std::vector<NamedValues> at_triangles = {};
 };
