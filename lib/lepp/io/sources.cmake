@@ -22,6 +22,7 @@ add_library(lepp_io
   lepp/io/gmsh_soup.cpp
   lepp/io/gmsh_statements.cpp
   lepp/io/gmsh_tokens.cpp
+  lepp/io/hillshade.cpp
   lepp/io/line_reader.cpp
   lepp/io/loops.cpp
   lepp/io/msh.cpp
@@ -29,12 +30,15 @@ add_library(lepp_io
   lepp/io/picture.cpp
   lepp/io/places.cpp
   lepp/io/plot.cpp
+  lepp/io/png.cpp
   lepp/io/poly_read.cpp
   lepp/io/poly_write.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
   lepp/io/selafin_write.cpp
   lepp/io/size_file.cpp
+  lepp/io/terrain_report.cpp
+  lepp/io/terrain_report_text.cpp
   lepp/io/text_file.cpp
   lepp/io/tin_solver_write.cpp
   lepp/io/tin_surface_write.cpp
