@@ -22,24 +22,37 @@ add_library(lepp_io
   lepp/io/gmsh_soup.cpp
   lepp/io/gmsh_statements.cpp
   lepp/io/gmsh_tokens.cpp
+  lepp/io/grid_asc.cpp
+  lepp/io/grid_f32.cpp
+  lepp/io/grid_npy.cpp
+  lepp/io/grid_pgm.cpp
+  lepp/io/grid_stm.cpp
+  lepp/io/header_words.cpp
+  lepp/io/height_grid_read.cpp
   lepp/io/hillshade.cpp
+  lepp/io/input_file.cpp
   lepp/io/line_reader.cpp
   lepp/io/loops.cpp
   lepp/io/msh.cpp
   lepp/io/msh_entities.cpp
+  lepp/io/number_stream.cpp
   lepp/io/picture.cpp
   lepp/io/places.cpp
   lepp/io/plot.cpp
   lepp/io/png.cpp
   lepp/io/poly_read.cpp
   lepp/io/poly_write.cpp
+  lepp/io/raster_layout.cpp
+  lepp/io/raster_samples.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
+  lepp/io/sample_values.cpp
   lepp/io/selafin_write.cpp
   lepp/io/size_file.cpp
   lepp/io/terrain_report.cpp
   lepp/io/terrain_report_text.cpp
   lepp/io/text_file.cpp
+  lepp/io/text_grid.cpp
   lepp/io/tin_solver_write.cpp
   lepp/io/tin_surface_write.cpp
   lepp/io/tin_write.cpp

@@ -44,13 +44,13 @@ struct SimplifyOptions {
 
 /// How far a TIN is from its grid, over all samples with data, those on the rim included.
 struct TerrainError {
-  double max = 0;              ///< largest |H - H*|
+  double max = 0;                     ///< largest |H - H*|
   std::uint32_t column = 0, row = 0;  ///< where (row of the file)
   double highest = 0, lowest = 0;     ///< largest and smallest H - H*
   double rms = 0;
-  std::size_t samples = 0;     ///< with data and in the mesh
-  std::size_t lost = 0;        ///< with data, not in the mesh
-  std::size_t covered = 0;     ///< without data, inside a triangle
+  std::size_t samples = 0;  ///< with data and in the mesh
+  std::size_t lost = 0;     ///< with data, not in the mesh
+  std::size_t covered = 0;  ///< without data, inside a triangle
 };
 
 /// A level of detail: the first `vertices` of the TIN, triangulated with the same constraints.
@@ -62,9 +62,9 @@ struct TerrainLevel {
 struct SimplifyReport {
   bool goal_reached = false;  ///< the error is kept, and every angle but those listed
   TerrainError error;
-  std::vector<TerrainLevel> levels;      ///< the last one is the TIN itself
-  std::vector<double> error_of_prefix;   ///< greedy: largest error with the first n vertices
-  std::vector<Unfinished> unfinished;    ///< triangles below the angle bound, and why
+  std::vector<TerrainLevel> levels;     ///< the last one is the TIN itself
+  std::vector<double> error_of_prefix;  ///< greedy: largest error with the first n vertices
+  std::vector<Unfinished> unfinished;   ///< triangles below the angle bound, and why
 };
 
 /// A grid as a TIN within a domain.

@@ -36,10 +36,10 @@ struct TerrainDomain {
   std::vector<std::string> warnings;
 };
 
-/// The outline of the samples that have data, holes where they have none, cut by clip polygons, with
-/// breaklines inside. No closed triangle of a mesh of it has a sample without data in it, and every
-/// sample with data (inside the clip polygons) is in one.
-/// \throw InputError  no data at all; a grid of one row or column; lines that are no numbers
+/// The outline of the samples that have data, holes where they have none, cut by clip polygons,
+/// with breaklines inside. No closed triangle of a mesh of it has a sample without data in it, and
+/// every sample with data (inside the clip polygons) is in one. \throw InputError  no data at all;
+/// a grid of one row or column; lines that are no numbers
 TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& options = {});
 
 /// The height of the grid at a place in grid space: bilinear within cells whose four samples have
