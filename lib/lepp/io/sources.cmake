@@ -29,6 +29,7 @@ add_library(lepp_io
   lepp/io/grid_stm.cpp
   lepp/io/header_words.cpp
   lepp/io/height_grid_read.cpp
+  lepp/io/helper_process.cpp
   lepp/io/hillshade.cpp
   lepp/io/input_file.cpp
   lepp/io/line_reader.cpp

@@ -1,9 +1,6 @@
 #include "lepp/terrain/fill_notches.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace lepp {
 
@@ -32,9 +29,8 @@ std::int64_t samples_beyond(Step ab, Step bc, std::int64_t twice_area) {
 
 class Filler {
  public:
-  Filler(const std::vector<OutlineEdge>& edges, const std::vector<LatticePoint>& islands,
-         std::vector<std::uint32_t>& next)
-      : edges_(edges), islands_(islands), next_(next), previous_(next.size()) {
+  Filler(const std::vector<OutlineEdge>& edges, std::vector<std::uint32_t>& next)
+      : edges_(edges), next_(next), previous_(next.size()) {
     for (std::uint32_t e = 0; e < next.size(); ++e) previous_[next[e]] = e;
   }
 
@@ -68,56 +64,18 @@ class Filler {
     const Step ab = at(b) - at(a), bc = at(c) - at(b);
     const std::int64_t turn = cross(ab, bc);
     if (turn == 0) return true;
-    return turn < 0 && samples_beyond(ab, bc, -turn) == 0 &&
-           (islands_.empty() || !is_near_island(at(a), at(b), at(c)));
-  }
-
-  // True if an island is within a quarter of a cell of the triangle abc, in columns and in lines.
-  bool is_near_island(LatticePoint a, LatticePoint b, LatticePoint c) const {
-    const auto [low, high] = std::minmax({a.line, b.line, c.line});
-    for (std::uint32_t line = low; line <= high; ++line) {
-      double west = std::numeric_limits<double>::infinity(), east = -west;
-      for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        widen(p, q, line, west, east);
-      const auto first = static_cast<std::uint32_t>(std::max(0.0, std::ceil(west - 0.26)));
-      const auto island =
-          std::ranges::lower_bound(islands_, std::pair(line, first), {},
-                                   [](LatticePoint p) { return std::pair(p.line, p.column); });
-      if (island != islands_.end() && island->line == line && island->column <= east + 0.26)
-        return true;
-    }
-    return false;
-  }
-
-  // The part of side pq within a quarter of `line` is added to the range of columns.
-  static void widen(LatticePoint p, LatticePoint q, std::uint32_t line, double& west,
-                    double& east) {
-    if (p.line > q.line) std::swap(p, q);
-    const double low = std::max(double(p.line), line - 0.26);
-    const double high = std::min(double(q.line), line + 0.26);
-    if (low > high) return;
-    for (const double y : {low, high}) {
-      const double share = p.line == q.line ? 0 : (y - p.line) / (double(q.line) - p.line);
-      const double x = p.column + share * (double(q.column) - p.column);
-      west = std::min(west, x);
-      east = std::max(east, x);
-    }
-    if (p.line != q.line) return;
-    west = std::min(west, double(q.column));
-    east = std::max(east, double(q.column));
+    return turn < 0 && samples_beyond(ab, bc, -turn) == 0;
   }
 
   const std::vector<OutlineEdge>& edges_;
-  const std::vector<LatticePoint>& islands_;
   std::vector<std::uint32_t>& next_;
   std::vector<std::uint32_t> previous_;
 };
 
 }  // namespace
 
-void fill_notches(const std::vector<OutlineEdge>& edges, const std::vector<LatticePoint>& islands,
-                  std::vector<std::uint32_t>& next) {
-  Filler(edges, islands, next).run();
+void fill_notches(const std::vector<OutlineEdge>& edges, std::vector<std::uint32_t>& next) {
+  Filler(edges, next).run();
 }
 
 }  // namespace lepp

@@ -19,10 +19,10 @@ inline constexpr std::uint32_t removed = std::numeric_limits<std::uint32_t>::max
 ///   in        | \         \           outside, holds no sample
 ///     ________|  c     in   \___c
 ///
-/// Corners where rings touch stay.
-/// \param islands  ascending by lines; no edge comes within a quarter of a cell of them
-/// \param next     as next_edges(); on return the edges from the remaining corners
-void fill_notches(const std::vector<OutlineEdge>& edges, const std::vector<LatticePoint>& islands,
-                  std::vector<std::uint32_t>& next);
+/// Corners where rings touch stay. No other ring reaches into such a triangle: its edges could only
+/// end at a sample there. Nor does an edge pass a cell that has an island as a corner: it would
+/// have a sample with data on its side, another on its line or beside that, and three are covered.
+/// \param next  as next_edges(); on return the edges from the remaining corners
+void fill_notches(const std::vector<OutlineEdge>& edges, std::vector<std::uint32_t>& next);
 
 }  // namespace lepp

@@ -157,7 +157,7 @@ Outline outline_of(const HeightGrid& grid) {
   Scan(grid).run(edges, outline.islands);
   std::ranges::sort(edges);
   std::vector<std::uint32_t> next = next_edges(edges);
-  fill_notches(edges, outline.islands, next);
+  fill_notches(edges, next);
   write_rings(edges, next, outline);
   return outline;
 }

@@ -28,7 +28,7 @@ struct Outline {
 /// Covered are cells with four samples with data, and of cells with three their triangle; then
 /// notches in the outline are filled where they hold no sample at all. So every sample with data is
 /// covered, but for islands, none without data is, and no edge comes closer to an island than a
-/// quarter of a cell, measured along columns and along lines.
+/// quarter of a cell along its column or its line.
 /// Angles of the covered area are at least those of half a cell: 45 degrees where cells are square.
 /// Cost  O(samples / 64 + n log n) for an outline through n samples, 40 bytes each
 Outline outline_of(const HeightGrid& grid);

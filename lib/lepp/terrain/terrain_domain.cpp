@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/terrain/cut_domain.hpp"
+#include "lepp/terrain/domain_lines.hpp"
 #include "lepp/terrain/outline.hpp"
 
 namespace lepp {
@@ -29,14 +33,12 @@ void add_islands(const HeightGrid& grid, const Outline& outline, Pslg& pslg) {
   }
 }
 
+// All segments are of curve 0.
 Pslg pslg_of_outline(const HeightGrid& grid) {
   const Outline outline = outline_of(grid);
   Pslg pslg;
   pslg.source = grid.source;
-  pslg.entities.surfaces.emplace_back().tag = 1;
-  CurveEntity& curve = pslg.entities.curves.emplace_back();
-  curve.tag = 1;
-  curve.bounds = {SurfaceId(0U)};
+  pslg.entities.curves.emplace_back().tag = 1;
   for (const LatticePoint p : outline.corners) pslg.points.push_back(grid.sample(p.column, p.line));
   for (const auto& [a, b] : outline.edges)
     pslg.segments.push_back({VertexId(a), VertexId(b), CurveId(0U)});
@@ -44,27 +46,48 @@ Pslg pslg_of_outline(const HeightGrid& grid) {
   return pslg;
 }
 
+// Curve 0 bounds the only surface, so that every place inside an odd number of rings is in it:
+// neither holes nor parts need a point inside.
+void name_entities(Entities& entities) {
+  entities.groups = {{1, 1, "outline"}, {2, 1, "terrain"}};
+  SurfaceEntity& surface = entities.surfaces.emplace_back();
+  surface.tag = 1;
+  surface.groups = {GroupId(1U)};
+  entities.curves[0].groups = {GroupId(0U)};
+  entities.curves[0].bounds = {SurfaceId(0U)};
+  if (entities.curves.size() == 1) return;
+  entities.groups.push_back({1, 2, "breaklines"});
+  for (std::size_t i = 1; i < entities.curves.size(); ++i)
+    entities.curves[i].groups = {GroupId(2U)};
+}
+
 void check(const HeightGrid& grid) {
-  if (grid.columns < 2 || grid.rows < 2) {
-    throw InputError(grid.source,
-                     "a grid of " + std::to_string(grid.columns) + " x " +
-                         std::to_string(grid.rows) + " samples has no area between them",
-                     "give at least two columns and two rows");
-  }
+  if (grid.columns >= 2 && grid.rows >= 2) return;
+  throw InputError(grid.source,
+                   "a grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+                       " samples has no area between them",
+                   "give at least two columns and two rows");
 }
 
 }  // namespace
 
-TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions&) {
+TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& options) {
   check(grid);
-  TerrainDomain domain;
-  domain.pslg = pslg_of_outline(grid);
-  if (domain.pslg.segments.empty()) {
+  Pslg outline = pslg_of_outline(grid);
+  if (outline.segments.empty()) {
     throw InputError(grid.source,
                      "all " + std::to_string(grid.size()) + " samples are without data",
                      "check the value that means no data");
   }
-  domain.fixed_heights.assign(domain.pslg.points.size(), std::numeric_limits<double>::quiet_NaN());
+  TerrainDomain domain;
+  if (options.clip.empty() && options.breaklines.empty()) {
+    domain.pslg = std::move(outline);
+    domain.fixed_heights.assign(domain.pslg.points.size(),
+                                std::numeric_limits<double>::quiet_NaN());
+  } else {
+    domain = cut_domain(arrange(grid, std::move(outline), options), options);
+  }
+  name_entities(domain.pslg.entities);
   return domain;
 }
 
