@@ -33,6 +33,9 @@ struct TerrainDomain {
   Pslg pslg;
   /// Heights that hard breaklines ask for, one per point of `pslg`; NaN: the grid's.
   std::vector<double> fixed_heights;
+  /// One per point of `pslg`, or empty: sides of the domain between two points marked here are
+  /// never cut, so that the mesh beyond, of another tile, can end at the same vertices.
+  std::vector<bool> kept_border = {};
   std::vector<std::string> warnings;
 };
 
