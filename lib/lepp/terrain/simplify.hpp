@@ -25,6 +25,12 @@ enum class TerrainMetric {
   surface,  ///< of the surface in space: the paper's 3-D LEPP and sphere criterion
 };
 
+/// A level of detail: the first `vertices` of the TIN, triangulated with the same constraints.
+struct TerrainLevel {
+  std::size_t vertices = 0;
+  double max_error = 0;  ///< found for this level
+};
+
 struct SimplifyOptions {
   double max_error = 0;  ///< largest |H - H*| at any sample with data, >= 0, in the unit of heights
   /// No more vertices than this, those of the domain not counted less than they are; with
@@ -38,6 +44,9 @@ struct SimplifyOptions {
   std::vector<double> level_errors = {};
   /// Likewise by counts of vertices (ascending, below max_vertices).
   std::vector<std::size_t> level_vertices = {};
+  /// Called with each level but the last when it is complete: its TIN, which a later level grows
+  /// out of, and what was found for it.
+  std::function<void(const Tin& tin, const TerrainLevel& level)> on_level = {};
   /// Called now and then with the number of vertices; false stops.
   std::function<bool(std::size_t vertices)> progress = {};
 };
@@ -53,18 +62,15 @@ struct TerrainError {
   std::size_t covered = 0;  ///< without data, inside a triangle
 };
 
-/// A level of detail: the first `vertices` of the TIN, triangulated with the same constraints.
-struct TerrainLevel {
-  std::size_t vertices = 0;
-  double max_error = 0;  ///< found for this level
-};
-
 struct SimplifyReport {
   bool goal_reached = false;  ///< the error is kept, and every angle but those listed
   TerrainError error;
-  std::vector<TerrainLevel> levels;     ///< the last one is the TIN itself
-  std::vector<double> error_of_prefix;  ///< greedy: largest error with the first n vertices
-  std::vector<Unfinished> unfinished;   ///< triangles below the angle bound, and why
+  std::vector<TerrainLevel> levels;  ///< the last one is the TIN itself
+  /// Greedy: the largest error with the first `first_prefix` vertices, those of the domain, then
+  /// with one more each.
+  std::size_t first_prefix = 0;
+  std::vector<double> error_of_prefix;
+  std::vector<Unfinished> unfinished;  ///< triangles below the angle bound, and why
 };
 
 /// A grid as a TIN within a domain.

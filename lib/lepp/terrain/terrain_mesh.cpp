@@ -1,0 +1,156 @@
+#include "lepp/terrain/terrain_mesh.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "lepp/geometry/predicates.hpp"
+#include "lepp/refine/straight_walk.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/split.hpp"
+#include "lepp/triangulation/split_constrained.hpp"
+
+namespace lepp {
+
+namespace {
+
+// How near to a line, in cells, a sample is on it: crossings of sides with lines of samples are
+// rounded, and twice as far stays clear of that.
+constexpr double on_line = 2 * same_place;
+
+double squared_distance_to_line(Point a, Point b, Point p) {
+  const double twice_area = cross(b - a, p - a);
+  return twice_area * twice_area / squared_distance(a, b);
+}
+
+// Where between a and b, from 0 to 1.
+double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
+
+}  // namespace
+
+TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
+    : grid_(grid), space_(grid), scan_(grid) {
+  Triangulation start =
+      constrained_delaunay(domain.pslg, {.crossings = Crossings::split, .threads = 1});
+  tin_.mesh = std::move(start.mesh);
+  kept_.assign(mesh().vertex_count(), 0);
+  hard_.assign(mesh().vertex_count(), 0);
+  tin_.heights.resize(mesh().vertex_count());
+  for (std::size_t i = 0; i < mesh().vertex_count(); ++i) {
+    tin_.heights[i] = height_of(mesh().point(VertexId(i)));
+  }
+  for (std::size_t i = 0; i < domain.pslg.points.size(); ++i) {
+    const auto v = start.report.vertex_of_point[i];
+    if (!v) continue;
+    if (!domain.kept_border.empty() && domain.kept_border[i]) kept_[v->index()] = 1;
+    if (domain.fixed_heights.empty() || std::isnan(domain.fixed_heights[i])) continue;
+    hard_[v->index()] = 1;
+    tin_.heights[v->index()] = domain.fixed_heights[i];
+  }
+  worst_.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < worst_.size(); ++t) scan_triangle(TriangleId(t));
+}
+
+void TerrainMesh::scan_triangle(TriangleId t) {
+  const auto& [a, b, c] = mesh().vertices(t);
+  worst_[t.index()] = scan_.worst({corner(a), corner(b), corner(c)});
+}
+
+void TerrainMesh::rescan(std::span<const TriangleId> changed) {
+  worst_.resize(mesh().triangle_count());
+  for (const TriangleId t : changed) scan_triangle(t);
+}
+
+double TerrainMesh::height_of(Point p) const {
+  const Sample s = space_.nearest(p);
+  if (SampleSpace::is_at(space_.corner(p, 0), s) && !std::isnan(space_.height(s))) {
+    return space_.height(s);
+  }
+  return height_at(grid_, p);
+}
+
+bool TerrainMesh::is_hard(HalfEdge e) const {
+  return mesh().is_constrained(e) && hard_[mesh().origin(e).index()] != 0 &&
+         hard_[mesh().destination(e).index()] != 0;
+}
+
+bool TerrainMesh::may_cut(HalfEdge e) const {
+  return !mesh().is_boundary(e) || kept_[mesh().origin(e).index()] == 0 ||
+         kept_[mesh().destination(e).index()] == 0;
+}
+
+void TerrainMesh::add_heights() {
+  for (std::size_t i = tin_.heights.size(); i < mesh().vertex_count(); ++i) {
+    tin_.heights.push_back(height_of(mesh().point(VertexId(i))));
+    kept_.push_back(0);
+    hard_.push_back(0);
+    if (mesh().origin_of(VertexId(i)).kind == VertexOrigin::Kind::on_segment)
+      put_on_line(VertexId(i));
+  }
+}
+
+// A vertex that cuts a line with heights of its own gets one between those of its neighbours there.
+void TerrainMesh::put_on_line(VertexId v) {
+  std::array<std::optional<VertexId>, 2> hard;
+  for_each_in_fan(mesh(), v, [&](TriangleId t, std::uint32_t corner) {
+    const HalfEdge out{t, previous_corner(corner)}, in{t, next_corner(corner)};
+    const auto note = [&](HalfEdge e, VertexId end) {
+      if (!mesh().is_constrained(e) || hard_[end.index()] == 0) return;
+      if (!hard[0] || *hard[0] == end) hard[0] = end;
+      else hard[1] = end;
+    };
+    note(out, mesh().destination(out));
+    note(in, mesh().origin(in));
+  });
+  if (!hard[1]) return;
+  const Point a = mesh().point(*hard[0]), b = mesh().point(*hard[1]);
+  const double low = tin_.heights[hard[0]->index()], high = tin_.heights[hard[1]->index()];
+  tin_.heights[v.index()] = low + (high - low) * part_of_way(a, b, mesh().point(v));
+  hard_[v.index()] = 1;
+}
+
+bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& changed) {
+  const Point p = space_.place(s);
+  if (const auto e = constrained_edge_at(t, p)) return cut_at(*e, p, changed);
+  if (!contains(mesh(), t, p)) {
+    const WayEnd end = straight_walk(mesh(), t, p);
+    if (end.barrier) return cut_at(*end.barrier, p, changed);
+    t = end.triangle;
+  }
+  if (!cavity_.find(mesh(), t, p)) return false;
+  cavity_.fill(mesh(), p, {VertexOrigin::Kind::interior, 0});
+  changed.insert(changed.end(), cavity_.triangles().begin(), cavity_.triangles().end());
+  add_heights();
+  return true;
+}
+
+std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) const {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge e{t, i};
+    if (!mesh().is_constrained(e)) continue;
+    const Point a = mesh().point(mesh().origin(e)), b = mesh().point(mesh().destination(e));
+    if (squared_distance_to_line(a, b, p) <= on_line * on_line) return e;
+  }
+  return std::nullopt;
+}
+
+// A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.
+bool TerrainMesh::cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed) {
+  if (!may_cut(e) || is_hard(e)) return false;
+  const VertexId from = mesh().origin(e);
+  const Point a = mesh().point(from), b = mesh().point(mesh().destination(e));
+  if (can_split_edge(mesh(), e, p) && (!mesh().is_boundary(e) || orient2d(a, b, p) >= 0)) {
+    const CurvePiece piece = piece_from(mesh(), e, from).piece;
+    const double t = piece.t_a + (piece.t_b - piece.t_a) * part_of_way(a, b, p);
+    const Insertion done = insert_on_edge(mesh(), e, p, origin_on(mesh(), e), t);
+    changed.insert(changed.end(), done.changed.begin(), done.changed.end());
+  } else {
+    const auto split = split_at_distance(mesh(), e, from, std::sqrt(squared_distance(a, p)), 0);
+    if (split.vertices.empty()) return false;
+    changed.insert(changed.end(), split.changed.begin(), split.changed.end());
+  }
+  add_heights();
+  return true;
+}
+
+}  // namespace lepp
