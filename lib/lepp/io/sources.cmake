@@ -42,6 +42,7 @@ add_library(lepp_io
   lepp/io/poly_write.cpp
   lepp/io/raster_layout.cpp
   lepp/io/raster_samples.cpp
+  lepp/io/record_archive.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
   lepp/io/sample_values.cpp
