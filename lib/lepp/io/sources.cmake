@@ -3,6 +3,8 @@ add_library(lepp_io
   lepp/io/atomic_files.cpp
   lepp/io/boundary_loops.cpp
   lepp/io/entity_table.cpp
+  lepp/io/gdal_process.cpp
+  lepp/io/gdal_record.cpp
   lepp/io/geo.cpp
   lepp/io/gmsh_chords.cpp
   lepp/io/gmsh_curve_fit.cpp

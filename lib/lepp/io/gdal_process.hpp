@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "lepp/io/gdal_record.hpp"
+#include "lepp/io/raster_layout.hpp"
+
+namespace lepp {
+
+/// About the program lepp-gdal, which reads everything that GDAL does.
+struct GdalOptions {
+  double seconds = 600;                              ///< wall-clock limit for one file
+  std::size_t memory_bytes = std::size_t{4} << 30U;  ///< address space of the helper
+  /// The program, if not what LEPP_GDAL names, beside this program or in ../libexec/lepp.
+  std::optional<std::filesystem::path> helper = {};
+  std::function<bool()> keep_going = {};  ///< asked about once a second; false ends it
+};
+
+/// Size and georeference of band 1 of a raster, without heights.
+/// \throw InputError    no such program; not a raster, rotated, mirrored
+/// \throw RefusedError  time or memory limit
+HeightGrid read_gdal_header(const std::filesystem::path& path, const GdalOptions& options);
+
+/// The same, and the heights of a window of it. They come over a pipe into their place: nothing is
+/// held twice. `prepare` sees the header of the whole before the window is cut out.
+/// \param window  nothing: all of it
+/// \param nodata  in place of what the file declares
+/// \throw InputError  a height is infinite, the file is damaged; RefusedError  more than the memory
+///                    of this machine
+HeightGrid read_gdal_heights(const std::filesystem::path& path,
+                             const std::optional<GridWindow>& window, std::optional<double> nodata,
+                             const std::function<void(HeightGrid&)>& prepare,
+                             const GdalOptions& options);
+
+/// Lines and polygons of a vector file. \throw as above
+GdalLines read_gdal_lines(const std::filesystem::path& path, const std::string& grid_crs,
+                          const GdalOptions& options);
+
+}  // namespace lepp
