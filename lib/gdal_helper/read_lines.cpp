@@ -51,7 +51,23 @@ void add_parts(const OGRGeometry& whole, std::vector<GdalPart>& parts) {
   }
 }
 
-void add_layer(OGRLayer& layer, const std::string& before, GdalLines& lines) {
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+void convert(OGRCoordinateTransformation& transformation, GdalFeature& feature) {
+  for (GdalPart& part : feature.parts) {
+    for (auto& ring : part.rings) {
+      for (Point& p : ring) {
+        if (transformation.Transform(1, &p.x, &p.y) != 0) continue;
+        throw GdalFailure{ErrorKind::input, feature.name,
+                          said("cannot be converted to the coordinate system of the grid"),
+                          "convert the file with ogr2ogr -t_srs"};
+      }
+    }
+  }
+}
+
+void add_layer(OGRLayer& layer, const std::string& before,
+               OGRCoordinateTransformation* transformation, GdalLines& lines) {
   layer.ResetReading();
   CPLErrorReset();
   for (auto& feature : layer) {
@@ -62,29 +78,50 @@ void add_layer(OGRLayer& layer, const std::string& before, GdalLines& lines) {
     // Arcs become chains within GDAL's own tolerance.
     const std::unique_ptr<OGRGeometry, DestroyGeometry> straight(geometry->getLinearGeometry());
     if (straight) add_parts(*straight, added.parts);
+    if (transformation != nullptr) convert(*transformation, added);
   }
   if (CPLGetLastErrorType() == CE_Failure)
     throw GdalFailure{ErrorKind::input, "", said("its features cannot be read"),
                       "the file is damaged: get it again"};
 }
 
-void compare(const OGRSpatialReference& crs, const std::string& grid_wkt, GdalLines& lines) {
-  lines.crs = wkt_of(crs);
-  lines.crs_name = crs.GetName() == nullptr ? "" : crs.GetName();
-  OGRSpatialReference grid;
-  if (grid_wkt.empty() || grid.importFromWkt(grid_wkt.c_str()) != OGRERR_NONE) return;
-  grid.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  OGRSpatialReference own(crs);
-  own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  lines.grid_crs_name = grid.GetName() == nullptr ? "" : grid.GetName();
+bool are_same(const OGRSpatialReference& a, const OGRSpatialReference& b) {
   const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
                                  "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr};
-  if (own.IsSame(&grid, options) != 0) return;
-  // Files of one system may spell it in two ways (.prj of ESRI): compare what they are known as.
-  own.AutoIdentifyEPSG();
-  grid.AutoIdentifyEPSG();
-  const char *a = own.GetAuthorityCode(nullptr), *b = grid.GetAuthorityCode(nullptr);
-  lines.other_crs = a == nullptr || b == nullptr || std::string(a) != b;
+  if (a.IsSame(&b, options) != 0) return true;
+  // One system may be spelt in two ways (.prj of ESRI): compare what they are known as.
+  OGRSpatialReference p(a), q(b);
+  p.AutoIdentifyEPSG();
+  q.AutoIdentifyEPSG();
+  const char *of_p = p.GetAuthorityCode(nullptr), *of_q = q.GetAuthorityCode(nullptr);
+  return of_p != nullptr && of_q != nullptr && std::string(of_p) == of_q;
+}
+
+std::string name_of(const OGRSpatialReference& crs) {
+  return crs.GetName() == nullptr ? "one without a name" : crs.GetName();
+}
+
+// From the layer's coordinate system to the grid's; nothing if they are the same or not known.
+Transformation to_grid(OGRLayer& layer, const std::string& grid_wkt, GdalLines& lines) {
+  const OGRSpatialReference* const of_layer = layer.GetSpatialRef();
+  OGRSpatialReference grid;
+  if (of_layer == nullptr || grid_wkt.empty() ||
+      grid.importFromWkt(grid_wkt.c_str()) != OGRERR_NONE)
+    return nullptr;
+  OGRSpatialReference own(*of_layer);
+  own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x first, as files have it
+  grid.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (are_same(own, grid)) return nullptr;
+  CPLErrorReset();
+  Transformation transformation(OGRCreateCoordinateTransformation(&own, &grid));
+  if (!transformation)
+    throw GdalFailure{ErrorKind::input, "",
+                      said("its coordinate system is " + name_of(own) + ", that of the grid " +
+                           name_of(grid) + ", and it cannot be converted"),
+                      "convert it with ogr2ogr -t_srs"};
+  lines.converted_from.push_back(name_of(own));
+  lines.converted_to = name_of(grid);
+  return transformation;
 }
 
 }  // namespace
@@ -100,9 +137,9 @@ GdalLines read_lines(const std::string& file, const std::string& grid_wkt) {
   const int layers = dataset->GetLayerCount();
   for (int i = 0; i < layers; ++i) {
     OGRLayer& layer = *dataset->GetLayer(i);
-    if (const auto* crs = layer.GetSpatialRef(); crs != nullptr && lines.crs.empty())
-      compare(*crs, grid_wkt, lines);
-    add_layer(layer, layers == 1 ? "" : "layer " + std::string(layer.GetName()) + ", ", lines);
+    const Transformation transformation = to_grid(layer, grid_wkt, lines);
+    add_layer(layer, layers == 1 ? "" : "layer " + std::string(layer.GetName()) + ", ",
+              transformation.get(), lines);
   }
   return lines;
 }

@@ -36,7 +36,7 @@ HeightGrid read_gdal_heights(const std::filesystem::path& path,
                              const std::function<void(HeightGrid&)>& prepare,
                              const GdalOptions& options);
 
-/// Lines and polygons of a vector file. \throw as above
+/// Lines and polygons of a vector file, in the coordinate system of the grid. \throw as above
 GdalLines read_gdal_lines(const std::filesystem::path& path, const std::string& grid_crs,
                           const GdalOptions& options);
 

@@ -14,7 +14,7 @@ void fields(auto& archive, Is<GdalRasterEnd> auto& e) { archive(e.failure, e.rou
 void fields(auto& archive, Is<GdalPart> auto& p) { archive(p.kind, p.rings, p.heights); }
 void fields(auto& archive, Is<GdalFeature> auto& f) { archive(f.name, f.parts); }
 void fields(auto& archive, Is<GdalLines> auto& l) {
-  archive(l.failure, l.crs, l.other_crs, l.crs_name, l.grid_crs_name, l.features);
+  archive(l.failure, l.converted_from, l.converted_to, l.features);
 }
 
 namespace {

@@ -57,9 +57,9 @@ struct GdalFeature {
 
 struct GdalLines {
   std::optional<GdalFailure> failure;
-  std::string crs;         ///< WKT of the first layer
-  bool other_crs = false;  ///< it is known not to be that of the grid
-  std::string crs_name, grid_crs_name;
+  /// Names of coordinate systems, one per layer that was converted to that of the grid.
+  std::vector<std::string> converted_from;
+  std::string converted_to;
   std::vector<GdalFeature> features;
 };
 

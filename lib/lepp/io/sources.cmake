@@ -6,6 +6,7 @@ add_library(lepp_io
   lepp/io/gdal_process.cpp
   lepp/io/gdal_record.cpp
   lepp/io/geo.cpp
+  lepp/io/geojson.cpp
   lepp/io/gmsh_chords.cpp
   lepp/io/gmsh_curve_fit.cpp
   lepp/io/gmsh_element_types.cpp
@@ -49,6 +50,7 @@ add_library(lepp_io
   lepp/io/report_text.cpp
   lepp/io/sample_values.cpp
   lepp/io/size_file.cpp
+  lepp/io/terrain_lines.cpp
   lepp/io/text_file.cpp
   lepp/io/text_grid.cpp
   lepp/io/vtu.cpp)
