@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lepp/io/gdal_record.hpp"
-#include "lepp/io/raster_layout.hpp"
+#include "lepp/terrain/height_grid.hpp"
 
 namespace lepp::gdal_helper {
 

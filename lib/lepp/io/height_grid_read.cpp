@@ -8,7 +8,9 @@
 #include <variant>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/gdal_process.hpp"
 #include "lepp/io/input_file.hpp"
+#include "lepp/io/raster_layout.hpp"
 #include "lepp/io/text_file.hpp"
 #include "lepp/io/text_grid.hpp"
 

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "lepp/io/gdal_process.hpp"
-#include "lepp/io/raster_layout.hpp"
+#include "lepp/io/gdal_options.hpp"
 #include "lepp/terrain/height_grid.hpp"
 
 namespace lepp {

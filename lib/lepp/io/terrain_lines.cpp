@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/gdal_process.hpp"
 #include "lepp/io/geojson.hpp"
 
 namespace lepp {

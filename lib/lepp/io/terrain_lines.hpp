@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lepp/io/gdal_process.hpp"
+#include "lepp/io/gdal_options.hpp"
 #include "lepp/terrain/terrain_domain.hpp"
 
 namespace lepp {
