@@ -14,7 +14,6 @@
 
 namespace lepp::test {
 
-
 /// A grid from a picture, the northern row first: a digit is a height, '.' is no data.
 inline HeightGrid grid_of(const std::vector<std::string>& rows, double aspect = 1) {
   HeightGrid grid;
@@ -32,7 +31,6 @@ inline HeightGrid grid_of(const std::vector<std::string>& rows, double aspect = 
   grid.origin = {0, (grid.rows - 1) * aspect};
   return grid;
 }
-
 
 /// A grid whose heights are height(column, row of the file).
 template <class Height>

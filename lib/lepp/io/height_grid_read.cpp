@@ -8,7 +8,9 @@
 #include <variant>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/gdal_process.hpp"
 #include "lepp/io/input_file.hpp"
+#include "lepp/io/raster_layout.hpp"
 #include "lepp/io/text_file.hpp"
 #include "lepp/io/text_grid.hpp"
 
@@ -17,7 +19,9 @@ namespace lepp {
 namespace {
 
 namespace fs = std::filesystem;
-using Raster = std::variant<BinaryRaster, TextRaster>;
+/// Of another format, that GDAL may know.
+struct GdalFile {};
+using Raster = std::variant<BinaryRaster, TextRaster, GdalFile>;
 
 std::string extension_of(const fs::path& path) {
   std::string text = path.extension().string();
@@ -69,8 +73,7 @@ Raster read_header(const InputFile& file, const fs::path& path) {
     throw InputError(file.name(), std::string("does not begin as a ") + known + " file does",
                      "export it again, or name it after what it is");
   }
-  throw InputError(file.name(), "is no height grid in a form known here",
-                   "give .asc, .stm, .pgm, .npy or .f32");
+  return GdalFile{};
 }
 
 void apply(const HeightGridOptions& options, HeightGrid& grid) {
@@ -92,51 +95,64 @@ void apply(const HeightGridOptions& options, HeightGrid& grid) {
   grid.origin = {0, double(grid.rows - 1) * grid.cell_height};
 }
 
-HeightGrid& header_of(Raster& raster) {
-  return std::visit([](auto& r) -> HeightGrid& { return r.grid; }, raster);
+void set_nodata(Raster& raster, double nodata) {
+  if (auto* binary = std::get_if<BinaryRaster>(&raster)) binary->layout.nodata = nodata;
+  if (auto* text = std::get_if<TextRaster>(&raster)) text->nodata = nodata;
 }
 
-Raster open(const InputFile& file, const fs::path& path, const HeightGridOptions& options) {
-  Raster raster = read_header(file, path);
-  apply(options, header_of(raster));
-  if (options.nodata) {
-    if (auto* binary = std::get_if<BinaryRaster>(&raster)) binary->layout.nodata = options.nodata;
-    else std::get<TextRaster>(raster).nodata = options.nodata;
+/// One grid file, opened: every way to read it.
+class GridFile {
+ public:
+  GridFile(const fs::path& path, const HeightGridOptions& options)
+      : path_(path), options_(options), file_(path), raster_(read_header(file_, path)) {
+    if (options.nodata) set_nodata(raster_, *options.nodata);
+    if (auto* binary = std::get_if<BinaryRaster>(&raster_)) apply(options, binary->grid);
+    if (auto* text = std::get_if<TextRaster>(&raster_)) apply(options, text->grid);
   }
-  return raster;
-}
 
-HeightGrid read(const InputFile& file, const Raster& raster, const GridWindow& window) {
-  if (const auto* binary = std::get_if<BinaryRaster>(&raster)) {
-    HeightGrid grid = grid_of_window(binary->grid, window);
-    read_samples(file, *binary, window, grid);
+  HeightGrid header() const {
+    if (const auto* binary = std::get_if<BinaryRaster>(&raster_)) return binary->grid;
+    if (const auto* text = std::get_if<TextRaster>(&raster_)) return text->grid;
+    HeightGrid grid = read_gdal_header(path_, options_.gdal);
+    apply(options_, grid);
     return grid;
   }
-  const auto& text = std::get<TextRaster>(raster);
-  HeightGrid grid = grid_of_window(text.grid, window);
-  read_text_heights(file, text, window, grid);
-  return grid;
-}
+
+  /// \param window  nothing: all of it
+  HeightGrid read(const std::optional<GridWindow>& window) const {
+    if (std::holds_alternative<GdalFile>(raster_)) {
+      const auto prepare = [&](HeightGrid& whole) { apply(options_, whole); };
+      return read_gdal_heights(path_, window, options_.nodata, prepare, options_.gdal);
+    }
+    const HeightGrid whole = header();
+    const GridWindow part = window.value_or(GridWindow{0, 0, whole.columns, whole.rows});
+    HeightGrid grid = grid_of_window(whole, part);
+    if (const auto* binary = std::get_if<BinaryRaster>(&raster_))
+      read_samples(file_, *binary, part, grid);
+    else read_text_heights(file_, std::get<TextRaster>(raster_), part, grid);
+    return grid;
+  }
+
+ private:
+  const fs::path path_;
+  const HeightGridOptions& options_;
+  const InputFile file_;
+  Raster raster_;
+};
 
 }  // namespace
 
 HeightGrid read_height_grid_header(const fs::path& path, const HeightGridOptions& options) {
-  const InputFile file(path);
-  Raster raster = open(file, path, options);
-  return std::move(header_of(raster));
+  return GridFile(path, options).header();
 }
 
 HeightGrid read_height_window(const fs::path& path, const GridWindow& window,
                               const HeightGridOptions& options) {
-  const InputFile file(path);
-  return read(file, open(file, path, options), window);
+  return GridFile(path, options).read(window);
 }
 
 HeightGrid read_height_grid(const fs::path& path, const HeightGridOptions& options) {
-  const InputFile file(path);
-  Raster raster = open(file, path, options);
-  const HeightGrid& header = header_of(raster);
-  HeightGrid grid = read(file, raster, {0, 0, header.columns, header.rows});
+  HeightGrid grid = GridFile(path, options).read(std::nullopt);
   check_usable(grid);
   return grid;
 }

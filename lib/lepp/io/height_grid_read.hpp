@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "lepp/io/raster_layout.hpp"
+#include "lepp/io/gdal_options.hpp"
 #include "lepp/terrain/height_grid.hpp"
 
 namespace lepp {
@@ -20,10 +20,13 @@ struct HeightGridOptions {
   std::optional<CellSize> cell = {};
   /// Heights that mean no data, in place of what the file declares.
   std::optional<double> nodata = {};
+  GdalOptions gdal = {};
 };
 
 /// Reads a height grid: ESRI ASCII (.asc), STM, PGM (P2 and P5), NPY, F32; each is known by how it
-/// begins, ESRI ASCII by its name or its first word.
+/// begins, ESRI ASCII by its name or its first word. All other files go to the separate program
+/// lepp-gdal: GeoTIFF and everything else that GDAL reads, band 1, with scale and offset, declared
+/// values of no data and masks applied; north-up or south-up, not rotated.
 /// \throw InputError   naming the file, and the line or the place in it
 /// \throw RefusedError more than the memory of this machine
 /// Cost   one pass; memory for the heights and about a MiB. Nothing is allocated for heights that

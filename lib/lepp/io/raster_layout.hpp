@@ -10,12 +10,6 @@
 
 namespace lepp {
 
-/// A part of a grid: `columns` x `rows` samples from (column, row) on, counted as in the file.
-struct GridWindow {
-  std::uint32_t column = 0, row = 0;
-  std::uint32_t columns = 0, rows = 0;
-};
-
 enum class SampleType { u8, i8, u16, i16, u32, i32, f32, f64 };
 
 std::size_t bytes_of(SampleType type);

@@ -4,7 +4,10 @@ add_library(lepp_io
   lepp/io/boundary_loops.cpp
   lepp/io/classic_netcdf.cpp
   lepp/io/entity_table.cpp
+  lepp/io/gdal_process.cpp
+  lepp/io/gdal_record.cpp
   lepp/io/geo.cpp
+  lepp/io/geojson.cpp
   lepp/io/gmsh_chords.cpp
   lepp/io/gmsh_curve_fit.cpp
   lepp/io/gmsh_element_types.cpp
@@ -45,11 +48,13 @@ add_library(lepp_io
   lepp/io/poly_write.cpp
   lepp/io/raster_layout.cpp
   lepp/io/raster_samples.cpp
+  lepp/io/record_archive.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
   lepp/io/sample_values.cpp
   lepp/io/selafin_write.cpp
   lepp/io/size_file.cpp
+  lepp/io/terrain_lines.cpp
   lepp/io/terrain_report.cpp
   lepp/io/terrain_report_text.cpp
   lepp/io/text_file.cpp

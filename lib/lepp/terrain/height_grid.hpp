@@ -71,6 +71,12 @@ struct HeightGrid {
   }
 };
 
+/// A part of a grid: `columns` x `rows` samples from (column, row) on, counted as in the file.
+struct GridWindow {
+  std::uint32_t column = 0, row = 0;
+  std::uint32_t columns = 0, rows = 0;
+};
+
 /// Cells of a grid in degrees get their size in metres, at the middle latitude of the grid, on the
 /// ellipsoid of WGS84 and GRS80.
 /// \throw InputError  the middle latitude is no latitude
