@@ -66,15 +66,17 @@ int status_of(const TerrainReport& report) {
 int run_whole(const TerrainCommand& command, TerrainReport& report) {
   const auto start = Clock::now();
   HeightGrid grid = read_height_grid(command.input, command.grid_options());
-  const double reading = seconds_since(start);
   check_targets(command, !grid.crs.empty());
   describe(grid, report);
   const double range = report.highest - report.lowest;
   TerrainJob job;
   job.simplify = simplify_options(command, range);
   job.border_error = border_error(command, range);
+  std::vector<std::string> warnings = grid.warnings;
+  job.domain = domain_options(command, grid, warnings);
   job.claims_error = !command.max_error.empty();
   job.nonobtuse = command.nonobtuse;
+  const double reading = seconds_since(start);
   MadeTerrain made = make_terrain(grid, {grid}, job);
   const int status = status_of(made.report);
   if (status == done || (status == unfinished && command.allow_unfinished)) {
@@ -87,7 +89,7 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     report.levels[i].name = "level " + std::to_string(i + 1);
   }
-  report.warnings.insert(report.warnings.begin(), grid.warnings.begin(), grid.warnings.end());
+  report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
   describe_wishes(command, job.simplify, report);
   return status;
 }
@@ -162,6 +164,14 @@ void add_inputs(CLI::App& app, TerrainCommand& command) {
       ->expected(2)
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata, "height that means no data");
+  app.add_option("--clip", command.clip,
+                 "polygons outside of which nothing is meshed: GeoJSON, or what GDAL reads; may be "
+                 "given again");
+  app.add_option("--breaklines", command.breaklines,
+                 "lines kept as edges, with the heights of the file if it has any, else with those "
+                 "of the grid; may be given again");
+  app.add_option("--soft-breaklines", command.soft_breaklines,
+                 "the same, always with the heights of the grid");
 }
 
 void add_tiles(CLI::App& app, TerrainCommand& command) {
@@ -203,7 +213,10 @@ void add_terrain_command(CLI::App& app, int& status) {
   const auto command = std::make_shared<TerrainCommand>();
   CLI::App& terrain =
       *app.add_subcommand("terrain", "Make a TIN of a height grid (DEM) within an error bound");
-  terrain.add_option("DEM", command->input, ".asc, .stm, .pgm, .npy, .f32")->required();
+  terrain
+      .add_option("DEM", command->input,
+                  ".asc, .stm, .pgm, .npy, .f32, or what GDAL reads: .tif, ...")
+      ->required();
   terrain.add_option("-o,--output", command->output.target, tin_file_kinds())->required();
   add_goals(terrain, *command);
   add_inputs(terrain, *command);
@@ -211,9 +224,11 @@ void add_terrain_command(CLI::App& app, int& status) {
   add_outputs(terrain, *command);
   terrain.footer(
       "Examples:\n"
-      "  lepp terrain dem.asc -o dem.ply --max-error 2\n"
+      "  lepp terrain dem.tif -o dem.ply --max-error 2\n"
       "  lepp terrain dem.asc -o fort.14 --max-error 1% --picture dem.png --json report.json\n"
       "  lepp terrain dem.stm -o dem.obj --cell 30 30 --max-error 5 --levels 100,30 --by greedy\n"
+      "  lepp terrain dem.tif -o valley.nc --max-error 1 --clip valley.geojson --breaklines "
+      "rivers.shp\n"
       "  lepp terrain catchment.asc -o catchment.msh --max-error 1 --nonobtuse\n"
       "  lepp terrain large.f32 -o large.2dm --max-error 2 --tiles 4x4");
   terrain.callback([command, &status] { status = run(*command); });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "lepp/io/terrain_lines.hpp"
 #include "validators.hpp"
 
 namespace lepp::cli {
@@ -112,7 +113,8 @@ void check_terrain_options(const TerrainCommand& c) {
   refuse(has_tiles && c.max_vertices, "--max-vertices",
          "is of the whole and cannot go with --tiles");
   refuse(has_tiles && c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
-  refuse(has_tiles && !(c.clip.empty() && c.breaklines.empty()), "--tiles",
+  const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
+  refuse(has_tiles && has_lines, "--tiles",
          "does not go with --clip and --breaklines, which would cut the borders of tiles");
   refuse(!c.border_error.empty() && c.nonobtuse, "--nonobtuse", "would cut the fixed borders");
 }
@@ -137,6 +139,24 @@ SimplifyOptions simplify_options(const TerrainCommand& c, double range) {
       !std::ranges::is_sorted(counts) || (!counts.empty() && counts.back() > options.max_vertices),
       "--level-vertices", "must be counts that ascend, all below --max-vertices");
   return options;
+}
+
+DomainOptions domain_options(const TerrainCommand& c, const HeightGrid& grid,
+                             std::vector<std::string>& warnings) {
+  TerrainLineOptions options;
+  options.grid_crs = grid.crs;
+  options.warnings = &warnings;
+  DomainOptions domain;
+  for (const auto& file : c.clip) {
+    for (ClipPolygon& p : read_clip_polygons(file, options)) domain.clip.push_back(std::move(p));
+  }
+  const auto add = [&](const std::filesystem::path& file) {
+    for (Breakline& l : read_breaklines(file, options)) domain.breaklines.push_back(std::move(l));
+  };
+  for (const auto& file : c.breaklines) add(file);
+  options.ignore_heights = true;
+  for (const auto& file : c.soft_breaklines) add(file);
+  return domain;
 }
 
 std::optional<double> border_error(const TerrainCommand& c, double range) {

@@ -11,6 +11,7 @@
 #include "lepp/io/height_grid_read.hpp"
 #include "lepp/io/tin_files.hpp"
 #include "lepp/terrain/simplify.hpp"
+#include "lepp/terrain/terrain_domain.hpp"
 #include "outputs.hpp"
 
 namespace lepp::cli {
@@ -43,7 +44,7 @@ struct TerrainCommand {
   double min_angle_deg = 30;
   std::vector<double> cell;  ///< none or two
   std::optional<double> nodata;
-  std::vector<std::filesystem::path> clip, breaklines;
+  std::vector<std::filesystem::path> clip, breaklines, soft_breaklines;
   std::string tiles;
   TileOutput tile_output = TileOutput::files;
   std::filesystem::path picture;
@@ -68,6 +69,9 @@ void check_terrain_options(const TerrainCommand& command);
 
 /// What the core is asked for. \param range  of the heights of the grid
 SimplifyOptions simplify_options(const TerrainCommand& command, double range);
+/// Reads clip polygons and breaklines.
+DomainOptions domain_options(const TerrainCommand& command, const HeightGrid& grid,
+                             std::vector<std::string>& warnings);
 /// The error of borders, if they are to be fixed.
 std::optional<double> border_error(const TerrainCommand& command, double range);
 

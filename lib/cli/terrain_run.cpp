@@ -65,6 +65,25 @@ class Run {
       made_.coarser.emplace_back().tin = tin;
     };
     made_.finest.tin = simplify(grid_, domain_, options, simplified_);
+    if (job_.border_error) excuse_borders();
+  }
+
+  // Beside borders that must not be cut, the angle bound is out of reach of any method.
+  void excuse_borders() {
+    const Mesh& mesh = made_.finest.tin.mesh;
+    const Point corner = grid_.sample(grid_.columns - 1, grid_.rows - 1);
+    const auto is_on_border = [&](Point p) {
+      return p.x == 0 || p.y == 0 || p.x == corner.x || p.y == corner.y;
+    };
+    bool all_excused = true;
+    for (Unfinished& u : simplified_.unfinished) {
+      if (is_forced_by_input(u.reason)) continue;
+      const bool is_beside = std::ranges::any_of(mesh.corners(u.triangle), is_on_border);
+      if (is_beside && u.reason == Reason::size_floor) u.reason = Reason::method;
+      all_excused = all_excused && u.reason == Reason::method;
+    }
+    const bool error_kept = simplified_.error.max <= job_.simplify.max_error * (1 + 1e-9);
+    simplified_.goal_reached = simplified_.goal_reached || (all_excused && error_kept);
   }
 
   // What is claimed of every level: an error that was measured anew, and a valid mesh, also where

@@ -113,8 +113,8 @@ class Tiles {
       throw InputError(command_.input.string(), "has no sample with data",
                        "check the value that means no data");
     }
-    if (command_.tile_output != TileOutput::files) return write_joined();
-    return done;
+    const int status = command_.tile_output == TileOutput::files ? done : write_joined();
+    return status == done && !report_.goal_reached ? unfinished : status;
   }
 
  private:
