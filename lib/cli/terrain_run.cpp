@@ -7,9 +7,11 @@
 
 #include "interrupt.hpp"
 #include "lepp/geometry/text.hpp"
+#include "lepp/terrain/nonobtuse_tin.hpp"
 #include "lepp/terrain/tile_border.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
+#include "lepp/voronoi/admissible.hpp"
 
 namespace lepp::cli {
 
@@ -48,6 +50,9 @@ class Run {
     });
     report().warnings = domain_.warnings;
     report().seconds.simplify = timed([&] { simplify_grid(); });
+    if (job_.nonobtuse && !interrupted()) {
+      report().seconds.nonobtuse = timed([&] { make_admissible(); });
+    }
     for (MadeTin& level : made_.coarser) finish(level);
     finish(made_.finest);
     judge_finest();
@@ -66,6 +71,25 @@ class Run {
     };
     made_.finest.tin = simplify(grid_, domain_, options, simplified_);
     if (job_.border_error) excuse_borders();
+  }
+
+  void make_admissible() {
+    Progress progress;
+    NonobtuseTinOptions options;
+    options.max_error = job_.simplify.max_error;
+    options.keep_error = job_.claims_error;
+    options.min_angle_deg = job_.simplify.min_angle_deg;
+    options.progress = [&](std::size_t vertices) { return progress(vertices); };
+    NonobtuseTin made = make_nonobtuse(grid_, domain_, std::move(made_.finest.tin), options);
+    made_.finest.tin = std::move(made.tin);
+    in_world_ = std::move(made.in_world);
+    judged_in_world_ = made.judged_in_world;
+    simplified_.unfinished = std::move(made.unfinished);
+    simplified_.goal_reached = made.goal_reached;
+    if (judged_in_world_) return;
+    report().warnings.push_back(
+        "the file's coordinates have not the proportions of the cells, so the mesh is admissible "
+        "after scaling them, not in the file");
   }
 
   // Beside borders that must not be cut, the angle bound is out of reach of any method.
@@ -99,17 +123,30 @@ class Run {
     const std::uint32_t row = figures.error.row;
     figures.error_at = place_.whole.to_world(place_.whole.sample(
         figures.error.column, place_.whole.north_first() ? place_.whole.rows - 1 - row : row));
-    MeshClaims claims;
-    claims.delaunay = job_.simplify.metric == TerrainMetric::planar;
-    if (is_finest && bounds_angles()) {
-      claims.min_angle_deg = job_.simplify.min_angle_deg;
-      claims.unfinished = simplified_.unfinished;
-    }
     made.world = to_world(shifted(made.tin, grid_, place_), place_.whole);
+    if (is_finest && in_world_) made.world.mesh = std::move(*in_world_);
+    const bool world_counts = is_finest && job_.nonobtuse && judged_in_world_;
+    MeshClaims claims = is_finest ? claims_of_finest() : MeshClaims();
+    claims.delaunay = job_.simplify.metric == TerrainMetric::planar;
+    MeshClaims none;
+    none.delaunay = false;
     report().seconds.check += timed([&] {
-      note(validate(made.tin.mesh, claims));
-      note(validate(made.world.mesh, {.delaunay = false}));
+      note(validate(made.tin.mesh, world_counts ? none : claims));
+      note(validate(made.world.mesh, world_counts ? claims : none));
+      if (!is_finest || !job_.nonobtuse) return;
+      const Certificate certificate = certify(world_counts ? made.world.mesh : made.tin.mesh);
+      report().admissible = certificate.admissible;
+      simplified_.goal_reached = simplified_.goal_reached && certificate.admissible;
     });
+  }
+
+  MeshClaims claims_of_finest() const {
+    MeshClaims claims;
+    if (!bounds_angles()) return claims;
+    claims.min_angle_deg = job_.simplify.min_angle_deg;
+    claims.nonobtuse = job_.nonobtuse;
+    claims.unfinished = simplified_.unfinished;
+    return claims;
   }
 
   void note(const MeshReport& checked) {
@@ -129,12 +166,14 @@ class Run {
     r.whole = finest.figures;
     for (const MadeTin& level : made_.coarser) r.levels.push_back(level.figures);
     r.seconds.measure += timed([&] {
-      const Quality quality = measure(finest.tin.mesh);
+      const bool world_counts = job_.nonobtuse && judged_in_world_;
+      const Mesh& judged = world_counts ? finest.world.mesh : finest.tin.mesh;
+      const Quality quality = measure(judged);
       r.min_angle_deg_found = quality.min_angle_deg;
       r.max_angle_deg_found = quality.max_angle_deg;
       r.mean_min_angle_deg = quality.mean_min_angle_deg;
       r.obtuse_constrained = quality.obtuse_constrained.exact;
-      r.smallest_angles = angle_histogram(finest.tin.mesh);
+      r.smallest_angles = angle_histogram(judged);
     });
     r.below_bound = count_reasons(simplified_.unfinished);
     r.goal_reached = simplified_.goal_reached && !interrupted();
@@ -168,6 +207,8 @@ class Run {
   const TerrainJob& job_;
   TerrainDomain domain_;
   SimplifyReport simplified_;
+  std::optional<Mesh> in_world_;  // of --nonobtuse: as it was refined there
+  bool judged_in_world_ = true;
   MadeTerrain made_;
 };
 

@@ -51,6 +51,14 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
   for (std::size_t t = 0; t < worst_.size(); ++t) scan_triangle(TriangleId(t));
 }
 
+TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard)
+    : grid_(grid), space_(grid), scan_(grid), tin_(std::move(tin)) {
+  kept_.assign(mesh().vertex_count(), 0);
+  hard_.assign(is_hard.begin(), is_hard.end());
+  worst_.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < worst_.size(); ++t) scan_triangle(TriangleId(t));
+}
+
 void TerrainMesh::scan_triangle(TriangleId t) {
   const auto& [a, b, c] = mesh().vertices(t);
   worst_[t.index()] = scan_.worst({corner(a), corner(b), corner(c)});

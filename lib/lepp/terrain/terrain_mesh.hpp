@@ -19,6 +19,8 @@ class TerrainMesh {
  public:
   /// The domain's own triangulation.
   TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain);
+  /// A TIN that exists. \param is_hard  by vertex: its height is asked for by a line
+  TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard);
 
   const Mesh& mesh() const { return tin_.mesh; }
   Mesh& mesh() { return tin_.mesh; }
