@@ -21,35 +21,22 @@ bool is_close(std::span<const float> heights, std::uint32_t a, std::uint32_t b, 
   return true;
 }
 
-// Halves pieces of the run a..b, from the left, until each is close. Ends at pieces of one sample.
-Samples close_pieces(std::span<const float> heights, std::uint32_t a, std::uint32_t b,
-                     double max_error) {
-  Samples ends{a};
-  Samples waiting{b};  // right ends, the nearest last
-  while (!waiting.empty()) {
-    const std::uint32_t from = ends.back(), to = waiting.back();
-    if (to - from <= 1 || is_close(heights, from, to, max_error)) {
-      ends.push_back(to);
-      waiting.pop_back();
-    } else {
-      waiting.push_back(from + (to - from) / 2);
-    }
-  }
-  return ends;
-}
-
-// Halves pieces that are too long beside their neighbours, until none is.
-Samples graded(Samples ends) {
-  for (bool changed = true;
+// Halves pieces of the run a..b that are not close, or too long beside their neighbours, until none
+// is. Each may bring about the other, so both are asked in every turn.
+Samples pieces_of(std::span<const float> heights, std::uint32_t a, std::uint32_t b,
+                  double max_error) {
+  Samples ends{a, b};
+  for (bool changed = a < b;
        changed;) {  // ends: each turn adds a sample, and there are finitely many
     changed = false;
-    Samples next{ends.front()};
+    Samples next{a};
     const std::size_t pieces = ends.size() - 1;
     const auto length = [&](std::size_t i) { return ends[i + 1] - ends[i]; };
     for (std::size_t i = 0; i < pieces; ++i) {
       const std::uint32_t before = i == 0 ? 0 : length(i - 1);
       const std::uint32_t after = i + 1 == pieces ? 0 : length(i + 1);
-      if (length(i) > std::max(1U, 2 * std::min(before, after))) {
+      const bool is_long = length(i) > std::max(1U, 2 * std::min(before, after));
+      if (is_long || !is_close(heights, ends[i], ends[i + 1], max_error)) {
         next.push_back(ends[i] + length(i) / 2);
         changed = true;
       }
@@ -162,7 +149,7 @@ std::vector<std::uint32_t> border_samples(std::span<const float> heights, double
     std::uint32_t last = first;
     while (last + 1 < n && !std::isnan(heights[last + 1])) ++last;
     Samples run{first};
-    if (first < last) run = graded(close_pieces(heights, first, last, max_error));
+    if (first < last) run = pieces_of(heights, first, last, max_error);
     samples.insert(samples.end(), run.begin(), run.end());
     first = last;
   }
