@@ -136,7 +136,6 @@ class Run {
       if (!is_finest || !job_.nonobtuse) return;
       const Certificate certificate = certify(world_counts ? made.world.mesh : made.tin.mesh);
       report().admissible = certificate.admissible;
-      simplified_.goal_reached = simplified_.goal_reached && certificate.admissible;
     });
   }
 
@@ -160,6 +159,12 @@ class Run {
            job_.simplify.metric == TerrainMetric::planar;
   }
 
+  bool angles_reached() const {
+    return std::ranges::all_of(simplified_.unfinished, [](const Unfinished& u) {
+      return is_forced_by_input(u.reason) || u.reason == Reason::method;
+    });
+  }
+
   void judge_finest() {
     const MadeTin& finest = made_.finest;
     TerrainReport& r = report();
@@ -176,7 +181,9 @@ class Run {
       r.smallest_angles = angle_histogram(judged);
     });
     r.below_bound = count_reasons(simplified_.unfinished);
-    r.goal_reached = simplified_.goal_reached && !interrupted();
+    // Asked for a number of vertices alone, a run may be as far off as it is.
+    const bool is_good = job_.claims_error ? simplified_.goal_reached : angles_reached();
+    r.goal_reached = is_good && !interrupted() && r.admissible.value_or(true);
     if (job_.claims_error) r.error_kept = is_kept(r.whole.error, job_.simplify.max_error);
     if (job_.claims_error && r.goal_reached && !*r.error_kept) break_rule("the error is not kept");
     check_coverage(r.whole.error);
