@@ -4,7 +4,7 @@
 
 #include "lepp/terrain/lepp_loop.hpp"
 #include "lepp/triangulation/validate.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 
 using namespace lepp;
 using namespace lepp::test;

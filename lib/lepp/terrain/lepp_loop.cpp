@@ -51,6 +51,8 @@ LeppLoop::LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<boo
 void LeppLoop::run(double error, std::size_t vertices) {
   error_ = error;
   kept_.reset();
+  const bool is_limited = vertices < std::numeric_limits<std::size_t>::max();
+  terrain_.set_enough(is_limited ? std::numeric_limits<double>::infinity() : error);
   start();
   while (may_go_on() && take_turn(vertices)) note_changes();
   if (!kept_ || (mesh_.vertex_count() <= vertices && heap_->top_error() <= kept_error_)) return;

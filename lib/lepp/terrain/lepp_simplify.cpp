@@ -50,6 +50,7 @@ class LeppSimplification {
 
   std::size_t clean_up(double error) {
     const std::size_t before = terrain_.mesh().vertex_count();
+    terrain_.renumber(loop_.frozen());
     TinCleanUp clean_up(terrain_, options_.min_angle_deg, error, loop_.frozen(),
                         [this] { return go_on(); });
     clean_up.remove_needless();

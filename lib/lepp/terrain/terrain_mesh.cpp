@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/spatial_order.hpp"
 #include "lepp/triangulation/split.hpp"
 #include "lepp/triangulation/split_constrained.hpp"
 
@@ -27,6 +30,35 @@ double squared_distance_to_line(Point a, Point b, Point p) {
 
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
+
+std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> number_of(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number_of[order[i]] = static_cast<std::uint32_t>(i);
+  }
+  return number_of;
+}
+
+template <class T>
+void rearrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> arranged;
+  arranged.reserve(values.size());
+  for (const std::uint32_t i : order) arranged.push_back(values[i]);
+  values = std::move(arranged);
+}
+
+// A counting sort. The last corner, because the first ones may be those of the coarse levels.
+std::vector<std::uint32_t> triangles_by_last_corner(const Mesh& mesh) {
+  std::vector<std::uint32_t> begin(mesh.vertex_count() + 1, 0);
+  const auto last = [](const Triangle& t) { return std::ranges::max(t.vertices).index(); };
+  for (const Triangle& t : mesh.triangles()) ++begin[last(t) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> order(mesh.triangle_count());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[begin[last(mesh.triangles()[i])]++] = static_cast<std::uint32_t>(i);
+  }
+  return order;
+}
 
 }  // namespace
 
@@ -55,7 +87,7 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
 
 void TerrainMesh::scan_triangle(TriangleId t) {
   const auto& [a, b, c] = mesh().vertices(t);
-  state_.worst[t.index()] = scan_.worst({corner(a), corner(b), corner(c)});
+  state_.worst[t.index()] = scan_.worst_or_bad({corner(a), corner(b), corner(c)}, enough_);
 }
 
 void TerrainMesh::rescan(std::span<const TriangleId> changed) {
@@ -184,6 +216,21 @@ Removal TerrainMesh::remove(VertexId v, double limit) {
   rescan(removal.changed);
   choose_diagonals(removal.changed, limit);
   return removal;
+}
+
+void TerrainMesh::renumber(std::size_t first) {
+  std::vector<std::uint32_t> order(first);
+  std::iota(order.begin(), order.end(), 0U);
+  for (const std::uint32_t i : spatial_order(mesh().points().subspan(first))) {
+    order.push_back(static_cast<std::uint32_t>(first) + i);
+  }
+  rearrange(state_.tin.heights, order);
+  rearrange(state_.kept, order);
+  rearrange(state_.hard, order);
+  mesh().renumber_vertices(inverse(order));
+  const std::vector<std::uint32_t> triangles = triangles_by_last_corner(mesh());
+  rearrange(state_.worst, triangles);
+  mesh().renumber_triangles(inverse(triangles));
 }
 
 std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,6 +43,9 @@ class TerrainMesh {
 
   const WorstSample& worst(TriangleId t) const { return state_.worst[t.index()]; }
   double error(TriangleId t) const { return worst(t).error; }
+  /// From now on the worst sample of a large triangle need only be one that is off by more than
+  /// this, which is much faster to find. Infinite, as at the start: it is the worst one.
+  void set_enough(double error) { enough_ = error; }
   /// Looks at the samples of triangles that changed.
   void rescan(std::span<const TriangleId> changed);
   /// Where four corners lie on a circle either diagonal is Delaunay. Of those beside triangles in
@@ -78,6 +83,11 @@ class TerrainMesh {
   /// \pre is_removable(removability(mesh(), v))
   Removal remove(VertexId v, double limit);
 
+  /// Numbers the vertices from `first` on, and all triangles, along a Hilbert curve: work that goes
+  /// from one to the next then finds its samples and triangles in the cache.
+  /// \pre no input vertex has the number `first` or a higher one
+  void renumber(std::size_t first);
+
   /// Gives vertices that the mesh has and heights() has not their heights.
   void add_heights();
   /// The same for a vertex that moved.
@@ -94,6 +104,7 @@ class TerrainMesh {
   SampleSpace space_;
   TriangleScan scan_;
   State state_;
+  double enough_ = std::numeric_limits<double>::infinity();
   Cavity cavity_;
 };
 

@@ -44,7 +44,7 @@ std::size_t TinCleanUp::remove_needless() {
 
 bool TinCleanUp::can_do_without(VertexId v) {
   return !mesh_.is_input(v) && collect_link(v) && filling_.fill(angle_) &&
-         is_filling_within_bounds() && is_removable(removability(mesh_, v));
+         is_filling_within_bounds(v) && is_removable(removability(mesh_, v));
 }
 
 // The corners around v, from one neighbour on its side of the mesh to the other if it is on one.
@@ -64,12 +64,20 @@ bool TinCleanUp::collect_link(VertexId v) {
   return simple && corners.size() >= 3 && corners.size() <= most_corners;
 }
 
-bool TinCleanUp::is_filling_within_bounds() const {
+// Without v the place where it was is the most likely one to be off.
+bool TinCleanUp::is_filling_within_bounds(VertexId v) const {
   const auto& corners = filling_.corners();
-  return std::ranges::all_of(filling_.triangles(), [&](const std::array<std::size_t, 3>& t) {
-    return terrain_.scan().is_within(
-        {corners[t[0]].terrain, corners[t[1]].terrain, corners[t[2]].terrain}, error_);
-  });
+  const TriangleScan& scan = terrain_.scan();
+  const auto all = [&](const auto& is_within) {
+    return std::ranges::all_of(filling_.triangles(), [&](const std::array<std::size_t, 3>& t) {
+      const std::array<TerrainCorner, 3> triangle{corners[t[0]].terrain, corners[t[1]].terrain,
+                                                  corners[t[2]].terrain};
+      return is_within(triangle);
+    });
+  };
+  const TerrainCorner suspect = terrain_.corner(v);
+  return all([&](const auto& t) { return scan.is_within_at(t, suspect, error_); }) &&
+         all([&](const auto& t) { return scan.is_within(t, error_); });
 }
 
 Removal TinCleanUp::remove(VertexId v) {
@@ -109,6 +117,7 @@ bool TinCleanUp::merge_with_neighbour(VertexId v) {
   for (std::size_t i = 0; i < whole_.size(); ++i) {
     const VertexId w = mesh_.origin(whole_.link[i].edge);
     if (!is_free(w) || (v < w && single_[w.index()] != 0) || !join_stars(i)) continue;
+    suspects_ = {terrain_.corner(v), terrain_.corner(w)};
     if (const auto p = place_for_both(midpoint(mesh_.point(v), mesh_.point(w)))) {
       replace_both(v, w, *p);
       return true;
@@ -184,12 +193,26 @@ bool TinCleanUp::is_star_within_bounds(Point p) {
     i = i == 0 ? rim.size() - 1 : i - 1;
     delaunay = 0;
   }
+  return is_center_within_bounds(p);
+}
+
+bool TinCleanUp::is_center_within_bounds(Point p) const {
   const TerrainCorner center = terrain_.space().corner(p, terrain_.height_of(p));
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const auto& next = rim[i + 1 == rim.size() ? 0 : i + 1];
-    if (!terrain_.scan().is_within({center, rim[i].terrain, next.terrain}, error_)) return false;
-  }
-  return true;
+  const TriangleScan& scan = terrain_.scan();
+  const auto& rim = filling_.corners();
+  const auto all = [&](const auto& is_within) {
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const auto& next = rim[i + 1 == rim.size() ? 0 : i + 1];
+      if (!is_within({center, rim[i].terrain, next.terrain})) return false;
+    }
+    return true;
+  };
+  using Corners = std::array<TerrainCorner, 3>;
+  return all([&](const Corners& t) {
+           return scan.is_within_at(t, suspects_[0], error_) &&
+                  scan.is_within_at(t, suspects_[1], error_);
+         }) &&
+         all([&](const Corners& t) { return scan.is_within(t, error_); });
 }
 
 void TinCleanUp::replace_both(VertexId v, VertexId w, Point p) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,7 +36,7 @@ class TinCleanUp {
  private:
   bool can_do_without(VertexId v);
   bool collect_link(VertexId v);
-  bool is_filling_within_bounds() const;
+  bool is_filling_within_bounds(VertexId v) const;
   Removal remove(VertexId v);
   void note_changes(const std::vector<TriangleId>& changed);
 
@@ -45,6 +46,7 @@ class TinCleanUp {
   std::optional<Point> place_for_both(Point near);
   bool has_good_angles(Point p) const;
   bool is_star_within_bounds(Point p);
+  bool is_center_within_bounds(Point p) const;
   void replace_both(VertexId v, VertexId w, Point p);
 
   TerrainMesh& terrain_;
@@ -54,6 +56,7 @@ class TinCleanUp {
   std::size_t frozen_;
   std::function<bool()> go_on_;
   StarFilling filling_;
+  std::array<TerrainCorner, 2> suspects_;  // the vertices that are to go
   FeasiblePlace place_;
   Star whole_, part_, star_;  // of a vertex, of its neighbour, and of one for both
   // By vertex: tried in vain, to remove it and to merge it; nothing has changed around it since.
