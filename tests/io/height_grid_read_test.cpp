@@ -10,6 +10,7 @@
 
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
+#include "support/random.hpp"
 #include "support/real_inputs.hpp"
 
 using namespace lepp;
@@ -257,6 +258,50 @@ TEST_CASE("a window is the same as that part of the whole grid, in every form") 
     CHECK(error_of<InputError>([&] { read_height_window(file, {3, 0, 2, 1}); }) != "");
     CHECK(error_of<InputError>([&] { read_height_window(file, {0, 0, 1, 0}); }) != "");
   }
+}
+
+TEST_CASE(
+    "a damaged file is read or refused, and never takes more memory than four times its size") {
+  constexpr std::uint64_t seed = 9;
+  CAPTURE(seed);
+  test::Random random(seed);
+  const std::string wide = bytes_of_values<std::uint16_t>({1, 2, 3, 4, 5, 6}, true);
+  const std::vector<std::string> files = {
+      asc_head + "NODATA_value -1\n1 2 3\n4 -1 6.5\n",
+      "F32 3 2 nan\n" + bytes_of_values<float>({1, 2, 3, 4, 5, 6}, false),
+      "STM 3 2 \4\3\2\1\n" + wide,
+      "P5 # a\n3 2 65535\n" + wide,
+      "P2 # a\n3 2 65535\n1 2 3 4 5 6\n",
+      npy("<u2", "True", "(2, 3)", wide),
+      npy("|u1", "False", "(2, 3)", "123456", 2)};
+  const ScratchFolder folder;
+  std::size_t refused = 0, taken = 0;
+  for (int i = 0; i < 1500; ++i) {
+    CAPTURE(i);
+    std::string text = files[static_cast<std::size_t>(i) % files.size()];
+    for (int k = random.between(1, 4); k > 0; --k) {
+      const std::size_t at = random.below(static_cast<std::uint32_t>(text.size()));
+      const std::string digits = "0123456789-e.\n ";
+      if (random.one_in(2)) text[at] = digits[random.below(15)];
+      else if (random.one_in(3)) text.insert(at, 1, digits[random.below(15)]);
+      else if (random.one_in(2)) text.erase(at, 1 + random.below(4));
+      else text[at] = static_cast<char>(random.below(256));
+      if (text.empty()) text = "0";
+    }
+    try {
+      // Files that no longer begin as one of these would go to lepp-gdal.
+      HeightGridOptions options;
+      options.gdal.helper = folder / "nothing";
+      const HeightGrid grid = read_height_grid(folder.put("a.asc", text), options);
+      ++taken;
+      REQUIRE(grid.heights.size() == grid.size());
+      REQUIRE(grid.heights.capacity() <= text.size());
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  CHECK(refused > 300);
+  CHECK(taken > 200);
 }
 
 TEST_CASE("an ESRI ASCII grid in degrees, as the .prj beside it says, has cells in metres") {
