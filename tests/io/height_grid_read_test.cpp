@@ -10,8 +10,11 @@
 
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
+#include "lepp/terrain/terrain_domain.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
 #include "support/random.hpp"
 #include "support/real_inputs.hpp"
+#include "terrain/coverage.hpp"
 
 using namespace lepp;
 using test::contains;
@@ -348,5 +351,25 @@ TEST_CASE("real grids have the size and the range that their list gives") {
     CHECK(low == doctest::Approx(known.low).epsilon(1e-3));
     CHECK(high == doctest::Approx(known.high).epsilon(1e-3));
     CHECK(without == known.without);
+  }
+}
+
+TEST_CASE("of real grids with gaps the domain loses no sample and covers none without data") {
+  struct Known {
+    const char* name;
+    std::size_t corners;
+  };
+  for (const Known& known :
+       {Known{"dem/landlab_tidal_zSW3.asc", 100}, Known{"dem/landlab_hugo_site.asc", 100},
+        Known{"nasty/d11_utm_offset_llcenter.asc", 4}}) {
+    CAPTURE(known.name);
+    const auto path = test::real_input(known.name);
+    if (!path) continue;
+    const HeightGrid grid = read_height_grid(*path);
+    const TerrainDomain domain = terrain_domain(grid);
+    CHECK(domain.pslg.points.size() <= known.corners);
+    const auto found = test::coverage(grid, constrained_delaunay(domain.pslg).mesh);
+    CHECK(found.lost == 0);
+    CHECK(found.covered == 0);
   }
 }
