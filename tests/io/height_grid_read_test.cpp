@@ -304,7 +304,7 @@ TEST_CASE(
     }
   }
   CHECK(refused > 300);
-  CHECK(taken > 200);
+  CHECK(taken > 100);
 }
 
 TEST_CASE("an ESRI ASCII grid in degrees, as the .prj beside it says, has cells in metres") {
