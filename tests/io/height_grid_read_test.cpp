@@ -10,7 +10,11 @@
 
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
+#include "lepp/terrain/terrain_domain.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "support/random.hpp"
 #include "support/real_inputs.hpp"
+#include "terrain/coverage.hpp"
 
 using namespace lepp;
 using test::contains;
@@ -259,6 +263,50 @@ TEST_CASE("a window is the same as that part of the whole grid, in every form") 
   }
 }
 
+TEST_CASE(
+    "a damaged file is read or refused, and never takes more memory than four times its size") {
+  constexpr std::uint64_t seed = 9;
+  CAPTURE(seed);
+  test::Random random(seed);
+  const std::string wide = bytes_of_values<std::uint16_t>({1, 2, 3, 4, 5, 6}, true);
+  const std::vector<std::string> files = {
+      asc_head + "NODATA_value -1\n1 2 3\n4 -1 6.5\n",
+      "F32 3 2 nan\n" + bytes_of_values<float>({1, 2, 3, 4, 5, 6}, false),
+      "STM 3 2 \4\3\2\1\n" + wide,
+      "P5 # a\n3 2 65535\n" + wide,
+      "P2 # a\n3 2 65535\n1 2 3 4 5 6\n",
+      npy("<u2", "True", "(2, 3)", wide),
+      npy("|u1", "False", "(2, 3)", "123456", 2)};
+  const ScratchFolder folder;
+  std::size_t refused = 0, taken = 0;
+  for (int i = 0; i < 1500; ++i) {
+    CAPTURE(i);
+    std::string text = files[static_cast<std::size_t>(i) % files.size()];
+    for (int k = random.between(1, 4); k > 0; --k) {
+      const std::size_t at = random.below(static_cast<std::uint32_t>(text.size()));
+      const std::string digits = "0123456789-e.\n ";
+      if (random.one_in(2)) text[at] = digits[random.below(15)];
+      else if (random.one_in(3)) text.insert(at, 1, digits[random.below(15)]);
+      else if (random.one_in(2)) text.erase(at, 1 + random.below(4));
+      else text[at] = static_cast<char>(random.below(256));
+      if (text.empty()) text = "0";
+    }
+    try {
+      // Files that no longer begin as one of these would go to lepp-gdal.
+      HeightGridOptions options;
+      options.gdal.helper = folder / "nothing";
+      const HeightGrid grid = read_height_grid(folder.put("a.asc", text), options);
+      ++taken;
+      REQUIRE(grid.heights.size() == grid.size());
+      REQUIRE(grid.heights.capacity() <= text.size());
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  CHECK(refused > 300);
+  CHECK(taken > 100);
+}
+
 TEST_CASE("an ESRI ASCII grid in degrees, as the .prj beside it says, has cells in metres") {
   const ScratchFolder folder;
   folder.put("a.prj", "GEOGCS[\"WGS 84\"]\n");
@@ -303,5 +351,25 @@ TEST_CASE("real grids have the size and the range that their list gives") {
     CHECK(low == doctest::Approx(known.low).epsilon(1e-3));
     CHECK(high == doctest::Approx(known.high).epsilon(1e-3));
     CHECK(without == known.without);
+  }
+}
+
+TEST_CASE("of real grids with gaps the domain loses no sample and covers none without data") {
+  struct Known {
+    const char* name;
+    std::size_t corners;
+  };
+  for (const Known& known :
+       {Known{"dem/landlab_tidal_zSW3.asc", 100}, Known{"dem/landlab_hugo_site.asc", 100},
+        Known{"nasty/d11_utm_offset_llcenter.asc", 4}}) {
+    CAPTURE(known.name);
+    const auto path = test::real_input(known.name);
+    if (!path) continue;
+    const HeightGrid grid = read_height_grid(*path);
+    const TerrainDomain domain = terrain_domain(grid);
+    CHECK(domain.pslg.points.size() <= known.corners);
+    const auto found = test::coverage(grid, constrained_delaunay(domain.pslg).mesh);
+    CHECK(found.lost == 0);
+    CHECK(found.covered == 0);
   }
 }

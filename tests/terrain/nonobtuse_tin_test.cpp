@@ -9,7 +9,7 @@
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 
 using namespace lepp;
 using namespace lepp::test;

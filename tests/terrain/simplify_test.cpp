@@ -6,7 +6,7 @@
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/triangulation/validate.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 #include "terrain/plain_error.hpp"
 
 using namespace lepp;

@@ -152,6 +152,8 @@ TEST_CASE("lines that make no sense are named") {
     return std::string();
   };
   CHECK(fails({{{0, 0}, {1, NAN}}, {}, ""}) == "breakline 1");
+  CHECK(fails({{{0, 0}, {1, 1e300}}, {}, ""}) == "breakline 1");
+  CHECK(fails({{{0, 0}, {1e-300, 1e50}}, {}, ""}) == "");
   CHECK(fails({{{0, 0}, {1, 1}}, {1}, "dyke"}) == "dyke");
   CHECK(fails({{{0, 0}, {1, 1}}, {1, INFINITY}, "dyke"}) == "dyke");
   CHECK(fails({{{1, 1}, {1, 1}, {2, 1}, {2, 1}}, {1, 1, 2, 2}, ""}) == "");
@@ -186,5 +188,34 @@ TEST_CASE("lines anywhere lose no sample and cover none without data") {
     const auto found = test::coverage(grid, constrained_delaunay(domain.pslg).mesh);
     REQUIRE(found.lost == 0);
     REQUIRE(found.covered == 0);
+  }
+}
+
+TEST_CASE("short lines in a large grid: the outline far from them is joined to that near them") {
+  constexpr std::uint64_t seed = 8;
+  CAPTURE(seed);
+  test::Random random(seed);
+  for (int i = 0; i < 10; ++i) {
+    CAPTURE(i);
+    std::vector<std::string> rows(70, std::string(90, '5'));
+    for (std::string& row : rows) {
+      for (char& c : row) {
+        if (random.one_in(8)) c = '.';
+      }
+    }
+    const HeightGrid grid = grid_of(rows);
+    DomainOptions options;
+    for (int k = 0; k < 3; ++k) {
+      const Point p{random.real(0, 89), random.real(0, 69)};
+      options.breaklines.push_back(
+          {{p, p + Point{random.real(-9, 9), random.real(-9, 9)}}, {}, ""});
+    }
+    const TerrainDomain domain = terrain_domain(grid, options);
+    REQUIRE(validate(domain.pslg).empty());
+    const Mesh mesh = constrained_delaunay(domain.pslg).mesh;
+    CHECK(mesh.vertex_count() == domain.pslg.points.size());
+    const auto found = test::coverage(grid, mesh);
+    CHECK(found.lost == 0);
+    CHECK(found.covered == 0);
   }
 }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "lepp/triangulation/constrained_delaunay.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 
 using namespace lepp;
 using namespace lepp::test;

@@ -11,6 +11,8 @@
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/split_crossings.hpp"
+#include "lepp/geometry/text.hpp"
+#include "lepp/terrain/near_lines.hpp"
 
 namespace lepp {
 
@@ -34,9 +36,11 @@ std::string name_of_ring(std::size_t polygon, std::size_t ring) {
 
 class Arranger {
  public:
-  Arranger(const HeightGrid& grid, Pslg outline) : grid_(grid), pslg_(std::move(outline)) {
+  Arranger(const HeightGrid& grid, const Pslg& outline)
+      : grid_(grid), outline_(outline), number_(outline.points.size(), none), near_(grid) {
+    pslg_.source = outline.source;
+    pslg_.entities = outline.entities;
     kind_.push_back(LineKind::outline);
-    heights_.resize(pslg_.segments.size());
   }
 
   Arrangement run(const DomainOptions& options) {
@@ -47,9 +51,18 @@ class Arranger {
       for (std::size_t r = 0; r < options.clip[i].rings.size(); ++r)
         add_ring(options.clip[i].rings[r], curve, name_of_ring(i, r));
     }
+    for (const Segment& s : outline_.segments) {
+      if (is_near(s)) add_outline(s, pslg_);
+    }
+    heights_.resize(pslg_.segments.size());
     SplitPslg split = split_crossings(pslg_);
     if (add_samples_beside_cuts(split)) split = split_crossings(pslg_);
     std::vector<double> heights = heights_of_points(split);
+    for (const Segment& s : outline_.segments) {
+      if (!is_near(s)) add_outline(s, split.pslg);
+    }
+    heights.resize(split.pslg.points.size(), unset);
+    split.pslg.segment_numbers.clear();
     return {std::move(split.pslg), std::move(kind_), std::move(heights)};
   }
 
@@ -70,12 +83,34 @@ class Arranger {
     if (!std::isfinite(world.x) || !std::isfinite(world.y))
       throw InputError(name, "has a coordinate that is not finite", "correct it");
     const Point p = grid_.to_grid(world);
+    if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate)
+      throw InputError(name, "has a coordinate far beyond the grid, at " + to_text(world),
+                       "correct it");
     return {snapped(p.x), snapped(p.y / grid_.aspect()) * grid_.aspect()};
   }
 
   void add_segment(std::size_t a, std::size_t b, CurveId curve, EndHeights heights) {
     pslg_.segments.push_back({VertexId(a), VertexId(b), curve});
     heights_.push_back(heights);
+    near_.add(pslg_.points[a], pslg_.points[b]);
+  }
+
+  bool is_near(const Segment& s) const {
+    return near_.is_near(outline_.points[s.a.index()], outline_.points[s.b.index()]);
+  }
+
+  // A segment of the outline, which no line can cut unless it is near one.
+  void add_outline(const Segment& s, Pslg& to) {
+    const auto vertex = [&](VertexId v) {
+      std::uint32_t& number = number_[v.index()];
+      if (number == none) {
+        number = static_cast<std::uint32_t>(to.points.size());
+        to.points.push_back(outline_.points[v.index()]);
+      }
+      return VertexId(number);
+    };
+    const VertexId a = vertex(s.a), b = vertex(s.b);
+    to.segments.push_back({a, b, s.curve});
   }
 
   void add_breakline(const Breakline& line, const std::string& name) {
@@ -167,16 +202,21 @@ class Arranger {
     return heights;
   }
 
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
   const HeightGrid& grid_;
-  Pslg pslg_;
+  const Pslg& outline_;
+  std::vector<std::uint32_t> number_;  // of each point of the outline
+  NearLines near_;
+  Pslg pslg_;  // the lines and what of the outline is near them
   std::vector<LineKind> kind_;
   std::vector<EndHeights> heights_;  // one per segment
 };
 
 }  // namespace
 
-Arrangement arrange(const HeightGrid& grid, Pslg outline, const DomainOptions& options) {
-  return Arranger(grid, std::move(outline)).run(options);
+Arrangement arrange(const HeightGrid& grid, const Pslg& outline, const DomainOptions& options) {
+  return Arranger(grid, outline).run(options);
 }
 
 }  // namespace lepp

@@ -20,8 +20,9 @@ struct Arrangement {
 /// Puts lines beside an outline in grid space. Their points are moved to a column or a line of
 /// samples that is within 2^-20 of a cell, so that a polygon along the rim leaves no sliver there.
 /// \param outline  a PSLG whose segments are all of curve 0
-/// \throw InputError  naming the line or ring: a coordinate or height that is not finite, as many
+/// \throw InputError  naming the line or ring: a coordinate or height that is not finite, or far
+///                    beyond the grid, as many
 ///                    heights as points missing, a ring of fewer than three places
-Arrangement arrange(const HeightGrid& grid, Pslg outline, const DomainOptions& options);
+Arrangement arrange(const HeightGrid& grid, const Pslg& outline, const DomainOptions& options);
 
 }  // namespace lepp

@@ -85,7 +85,7 @@ TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& option
     domain.fixed_heights.assign(domain.pslg.points.size(),
                                 std::numeric_limits<double>::quiet_NaN());
   } else {
-    domain = cut_domain(arrange(grid, std::move(outline), options), options);
+    domain = cut_domain(arrange(grid, outline, options), options);
   }
   name_entities(domain.pslg.entities);
   return domain;
