@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "interrupt.hpp"
@@ -99,15 +100,22 @@ class Run {
     const auto is_on_border = [&](Point p) {
       return p.x == 0 || p.y == 0 || p.x == corner.x || p.y == corner.y;
     };
-    bool all_excused = true;
-    for (Unfinished& u : simplified_.unfinished) {
-      if (is_forced_by_input(u.reason)) continue;
-      const bool is_beside = std::ranges::any_of(mesh.corners(u.triangle), is_on_border);
-      if (is_beside && u.reason == Reason::size_floor) u.reason = Reason::method;
-      all_excused = all_excused && u.reason == Reason::method;
+    std::set<VertexId> beside;  // corners of triangles that a border is to blame for
+    const auto is_beside = [&](VertexId v) {
+      return is_on_border(mesh.point(v)) || beside.contains(v);
+    };
+    for (bool changed = true; changed;) {  // ends: each turn excuses a triangle
+      changed = false;
+      for (Unfinished& u : simplified_.unfinished) {
+        const auto& corners = mesh.vertices(u.triangle);
+        if (u.reason != Reason::size_floor || !std::ranges::any_of(corners, is_beside)) continue;
+        u.reason = Reason::method;
+        beside.insert(corners.begin(), corners.end());
+        changed = true;
+      }
     }
-    const bool error_kept = simplified_.error.max <= job_.simplify.max_error * (1 + 1e-9);
-    simplified_.goal_reached = simplified_.goal_reached || (all_excused && error_kept);
+    const bool error_kept = is_kept(simplified_.error, job_.simplify.max_error);
+    simplified_.goal_reached = error_kept && angles_reached();
   }
 
   // What is claimed of every level: an error that was measured anew, and a valid mesh, also where

@@ -18,6 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 // Where a part of n samples begins, of so many parts that share their ends.
 std::uint32_t begin_of(std::uint32_t part, std::uint32_t parts, std::uint32_t n) {
   return static_cast<std::uint32_t>(std::uint64_t{part} * (n - 1) / parts);
@@ -141,8 +145,7 @@ class Tiles {
     const GridWindow window = window_of(whole_, counts_, row, column);
     const auto start = std::chrono::steady_clock::now();
     const HeightGrid grid = read(window);
-    report_.seconds.read +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report_.seconds.read += seconds_since(start);
     if (!has_data(grid)) return done;
     MadeTerrain made = make_terrain(grid, {whole_, window.column, window.row}, job_);
     made.finest.figures.name = "tile " + std::to_string(row) + " " + std::to_string(column);
@@ -150,7 +153,9 @@ class Tiles {
     if (interrupted()) return refused;
     if (!made.report.valid) return bug;
     if (!made.report.goal_reached && !command_.allow_unfinished) return unfinished;
+    const auto writing = std::chrono::steady_clock::now();
     write_tile(made, grid, tile_suffix(row, column));
+    report_.seconds.write += seconds_since(writing);
     report_.tiles.push_back(made.finest.figures);
     return done;
   }

@@ -86,11 +86,12 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
 }
 
 TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard)
-    : grid_(grid), space_(grid), scan_(grid), tin_(std::move(tin)) {
-  kept_.assign(mesh().vertex_count(), 0);
-  hard_.assign(is_hard.begin(), is_hard.end());
-  worst_.resize(mesh().triangle_count());
-  for (std::size_t t = 0; t < worst_.size(); ++t) scan_triangle(TriangleId(t));
+    : grid_(grid), space_(grid), scan_(grid) {
+  state_.tin = std::move(tin);
+  state_.kept.assign(mesh().vertex_count(), 0);
+  state_.hard.assign(is_hard.begin(), is_hard.end());
+  state_.worst.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
 void TerrainMesh::scan_triangle(TriangleId t) {
