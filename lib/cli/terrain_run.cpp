@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "interrupt.hpp"
@@ -96,23 +95,10 @@ class Run {
   // Beside borders that must not be cut, the angle bound is out of reach of any method.
   void excuse_borders() {
     const Mesh& mesh = made_.finest.tin.mesh;
-    const Point corner = grid_.sample(grid_.columns - 1, grid_.rows - 1);
-    const auto is_on_border = [&](Point p) {
-      return p.x == 0 || p.y == 0 || p.x == corner.x || p.y == corner.y;
-    };
-    std::set<VertexId> beside;  // corners of triangles that a border is to blame for
-    const auto is_beside = [&](VertexId v) {
-      return is_on_border(mesh.point(v)) || beside.contains(v);
-    };
-    for (bool changed = true; changed;) {  // ends: each turn excuses a triangle
-      changed = false;
-      for (Unfinished& u : simplified_.unfinished) {
-        const auto& corners = mesh.vertices(u.triangle);
-        if (u.reason != Reason::size_floor || !std::ranges::any_of(corners, is_beside)) continue;
-        u.reason = Reason::method;
-        beside.insert(corners.begin(), corners.end());
-        changed = true;
-      }
+    const NearBorder is_near(grid_, domain_);
+    for (Unfinished& u : simplified_.unfinished) {
+      if (u.reason != Reason::size_floor) continue;
+      if (std::ranges::any_of(mesh.corners(u.triangle), is_near)) u.reason = Reason::method;
     }
     const bool error_kept = is_kept(simplified_.error, job_.simplify.max_error);
     simplified_.goal_reached = error_kept && angles_reached();

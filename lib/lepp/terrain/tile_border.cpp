@@ -164,4 +164,30 @@ void fix_borders(const HeightGrid& grid, double max_error, TerrainDomain& domain
   borders.fix(vertical(grid, grid.columns - 1));
 }
 
+NearBorder::NearBorder(const HeightGrid& grid, const TerrainDomain& domain)
+    : corner_(grid.sample(grid.columns - 1, grid.rows - 1)) {
+  for (std::size_t i = 0; i < domain.kept_border.size(); ++i) {
+    if (!domain.kept_border[i]) continue;
+    const Point p = domain.pslg.points[i];
+    if (p.x == 0) ends_[0].push_back(p.y);
+    if (p.x == corner_.x) ends_[1].push_back(p.y);
+    if (p.y == 0) ends_[2].push_back(p.x);
+    if (p.y == corner_.y) ends_[3].push_back(p.x);
+  }
+  for (auto& ends : ends_) std::ranges::sort(ends);
+}
+
+bool NearBorder::operator()(Point p) const {
+  const std::array<double, 4> distances{p.x, corner_.x - p.x, p.y, corner_.y - p.y};
+  for (std::size_t side = 0; side < 4; ++side) {
+    const auto& ends = ends_[side];
+    const auto after = std::ranges::lower_bound(ends, side < 2 ? p.y : p.x);
+    if (after == ends.end()) continue;
+    const double before = after == ends.begin() ? *after : *(after - 1);
+    const double next = after + 1 == ends.end() ? *after : *(after + 1);
+    if (distances[side] <= next - before) return true;
+  }
+  return false;
+}
+
 }  // namespace lepp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,5 +23,18 @@ std::vector<std::uint32_t> border_samples(std::span<const float> heights, double
 /// Makes the four sides of the grid borders: the domain gets the vertices of border_samples() on
 /// them, and sides between two of them are not cut (TerrainDomain::kept_border).
 void fix_borders(const HeightGrid& grid, double max_error, TerrainDomain& domain);
+
+/// Where borders that must not be cut may be to blame for a small angle: nearer to one than the
+/// piece of it there is long, because a vertex inside the circle around a piece would cut it.
+class NearBorder {
+ public:
+  /// \param domain  after fix_borders()
+  NearBorder(const HeightGrid& grid, const TerrainDomain& domain);
+  bool operator()(Point p) const;
+
+ private:
+  std::array<std::vector<double>, 4> ends_;  // of pieces: on the west, east, south, north side
+  Point corner_;                             // the north-eastern one
+};
 
 }  // namespace lepp
