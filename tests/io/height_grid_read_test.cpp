@@ -171,6 +171,18 @@ TEST_CASE("a declared value of no data beyond 1e30 also means its neighbours in 
   CHECK(same(read("a.f32", "F32 2 2 -3.4028235e38\n" + text).heights, {1, 2, none, 4}));
 }
 
+TEST_CASE("infinite heights are no heights if that is declared") {
+  CHECK(same(read("a.asc", asc_head + "NODATA_value inf\n1 2 3\n4 inf 6\n").heights,
+             {1, 2, 3, 4, none, 6}));
+  const auto floats = bytes_of_values<float>({1, 2, -INFINITY, 4}, false);
+  CHECK(same(read("a.f32", "F32 2 2 -inf\n" + floats).heights, {1, 2, none, 4}));
+  const auto wide = bytes_of_values<double>({1, 2, -INFINITY, 4}, false);
+  const HeightGridOptions declared{.nodata = -INFINITY};
+  const HeightGrid grid = read("a.npy", npy("<f8", "False", "(2, 2)", wide), declared);
+  CHECK(same(grid.heights, {1, 2, none, 4}));
+  CHECK(grid.rounding == 0);
+}
+
 TEST_CASE("STM in both byte orders") {
   for (const bool big : {true, false}) {
     CAPTURE(big);
