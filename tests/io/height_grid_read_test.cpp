@@ -319,6 +319,25 @@ TEST_CASE(
   CHECK(taken > 100);
 }
 
+TEST_CASE("a part of a grid knows what lies around it, at sides and corners of the whole too") {
+  const ScratchFolder folder;
+  const auto path = folder.put("a.asc",
+                               "ncols 4 nrows 3 xllcenter 0 yllcenter 0 cellsize 1\n"
+                               "1 2 3 4 5 -9999 7 8 9 10 11 12");
+  const HeightGrid whole = read_height_grid_header(path);
+  const GridPart inner = read_grid_part(path, whole, {2, 0, 1, 2});
+  CHECK(same(inner.grid.heights, {3, 7}));
+  CHECK(inner.grid.origin == Point{2, 2});
+  CHECK(inner.north.empty());
+  CHECK(inner.south == std::vector<bool>{true, true, true});
+  CHECK(inner.west == std::vector<bool>{false, true});  // from the south
+  CHECK(inner.east == std::vector<bool>{true, true});
+  const GridPart all = read_grid_part(path, whole, {0, 0, 4, 3});
+  CHECK(all.grid.heights.size() == 12);
+  CHECK((all.west.empty() && all.east.empty() && all.south.empty() && all.north.empty()));
+  CHECK(error_of<InputError>([&] { read_grid_part(path, whole, {3, 0, 2, 3}); }) != "");
+}
+
 TEST_CASE("an ESRI ASCII grid in degrees, as the .prj beside it says, has cells in metres") {
   const ScratchFolder folder;
   folder.put("a.prj", "GEOGCS[\"WGS 84\"]\n");
