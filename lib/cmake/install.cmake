@@ -42,6 +42,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/region.hpp
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
+  lepp/terrain/grid_part.hpp
   lepp/terrain/height_grid.hpp
   lepp/terrain/terrain_domain.hpp
   lepp/voronoi/admissible.hpp

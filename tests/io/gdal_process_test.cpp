@@ -167,6 +167,20 @@ TEST_CASE("GDAL: what is no raster, what is cut short and what claims too much i
       contains(error_of<RefusedError>([&] { read_height_grid(huge); }), "more than this machine"));
 }
 
+TEST_CASE("GDAL: reading ends when time is up, and when the user has had enough") {
+  const ScratchFolder folder;
+  folder.put("data.bin", bytes_of_values<float>({1, 2, 3, 4, 5, 6}));
+  const auto path = folder.put("a.vrt", vrt("Float32", 4, north_up, ""));
+  HeightGridOptions hurried;
+  hurried.gdal.seconds = 0.01;  // GDAL's libraries alone take longer to load
+  CHECK(contains(error_of<RefusedError>([&] { read_height_grid(path, hurried); }),
+                 "did not finish reading it in 0.01 seconds"));
+  HeightGridOptions cancelled;
+  cancelled.gdal.keep_going = [] { return false; };
+  CHECK(contains(error_of<RefusedError>([&] { read_height_grid(path, cancelled); }),
+                 "was cancelled while GDAL read it"));
+}
+
 TEST_CASE("GDAL: a missing helper is said, with the package that brings it") {
   const ScratchFolder folder;
   const auto file = folder.put("a.tif", "II*");

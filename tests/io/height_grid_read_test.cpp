@@ -171,6 +171,18 @@ TEST_CASE("a declared value of no data beyond 1e30 also means its neighbours in 
   CHECK(same(read("a.f32", "F32 2 2 -3.4028235e38\n" + text).heights, {1, 2, none, 4}));
 }
 
+TEST_CASE("infinite heights are no heights if that is declared") {
+  CHECK(same(read("a.asc", asc_head + "NODATA_value inf\n1 2 3\n4 inf 6\n").heights,
+             {1, 2, 3, 4, none, 6}));
+  const auto floats = bytes_of_values<float>({1, 2, -INFINITY, 4}, false);
+  CHECK(same(read("a.f32", "F32 2 2 -inf\n" + floats).heights, {1, 2, none, 4}));
+  const auto wide = bytes_of_values<double>({1, 2, -INFINITY, 4}, false);
+  const HeightGridOptions declared{.nodata = -INFINITY};
+  const HeightGrid grid = read("a.npy", npy("<f8", "False", "(2, 2)", wide), declared);
+  CHECK(same(grid.heights, {1, 2, none, 4}));
+  CHECK(grid.rounding == 0);
+}
+
 TEST_CASE("STM in both byte orders") {
   for (const bool big : {true, false}) {
     CAPTURE(big);
@@ -305,6 +317,25 @@ TEST_CASE(
   }
   CHECK(refused > 300);
   CHECK(taken > 100);
+}
+
+TEST_CASE("a part of a grid knows what lies around it, at sides and corners of the whole too") {
+  const ScratchFolder folder;
+  const auto path = folder.put("a.asc",
+                               "ncols 4 nrows 3 xllcenter 0 yllcenter 0 cellsize 1\n"
+                               "1 2 3 4 5 -9999 7 8 9 10 11 12");
+  const HeightGrid whole = read_height_grid_header(path);
+  const GridPart inner = read_grid_part(path, whole, {2, 0, 1, 2});
+  CHECK(same(inner.grid.heights, {3, 7}));
+  CHECK(inner.grid.origin == Point{2, 2});
+  CHECK(inner.north.empty());
+  CHECK(inner.south == std::vector<bool>{true, true, true});
+  CHECK(inner.west == std::vector<bool>{false, true});  // from the south
+  CHECK(inner.east == std::vector<bool>{true, true});
+  const GridPart all = read_grid_part(path, whole, {0, 0, 4, 3});
+  CHECK(all.grid.heights.size() == 12);
+  CHECK((all.west.empty() && all.east.empty() && all.south.empty() && all.north.empty()));
+  CHECK(error_of<InputError>([&] { read_grid_part(path, whole, {3, 0, 2, 3}); }) != "");
 }
 
 TEST_CASE("an ESRI ASCII grid in degrees, as the .prj beside it says, has cells in metres") {

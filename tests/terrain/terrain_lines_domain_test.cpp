@@ -163,7 +163,7 @@ TEST_CASE("lines anywhere lose no sample and cover none without data") {
   constexpr std::uint64_t seed = 6;
   CAPTURE(seed);
   test::Random random(seed);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 120; ++i) {
     CAPTURE(i);
     const double share = random.real(0.5, 1);
     std::vector<std::string> rows(12, std::string(12, '.'));
@@ -195,7 +195,7 @@ TEST_CASE("short lines in a large grid: the outline far from them is joined to t
   constexpr std::uint64_t seed = 8;
   CAPTURE(seed);
   test::Random random(seed);
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 4; ++i) {
     CAPTURE(i);
     std::vector<std::string> rows(70, std::string(90, '5'));
     for (std::string& row : rows) {

@@ -157,6 +157,18 @@ HeightGrid read_height_grid(const fs::path& path, const HeightGridOptions& optio
   return grid;
 }
 
+GridPart read_grid_part(const fs::path& path, const HeightGrid& whole, const GridWindow& window,
+                        const HeightGridOptions& options) {
+  grid_of_window(whole, window);  // throws if it sticks out
+  const std::uint32_t west = window.column > 0 ? 1 : 0, above = window.row > 0 ? 1 : 0;
+  const std::uint32_t east = window.column + window.columns < whole.columns ? 1 : 0;
+  const std::uint32_t below = window.row + window.rows < whole.rows ? 1 : 0;
+  const GridWindow around{window.column - west, window.row - above, window.columns + west + east,
+                          window.rows + above + below};
+  return part_of(read_height_window(path, around, options),
+                 {west, above, window.columns, window.rows});
+}
+
 void check_usable(const HeightGrid& grid) {
   if (grid.columns < 2 || grid.rows < 2) {
     throw InputError(grid.source,

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lepp/io/gdal_options.hpp"
+#include "lepp/terrain/grid_part.hpp"
 #include "lepp/terrain/height_grid.hpp"
 
 namespace lepp {
@@ -42,6 +43,11 @@ HeightGrid read_height_grid_header(const std::filesystem::path& path,
 /// that neighbours match. It may be without any data. Of binary formats only the part is read.
 HeightGrid read_height_window(const std::filesystem::path& path, const GridWindow& window,
                               const HeightGridOptions& options = {});
+
+/// The same with what lies one step around it, for tiles.
+/// \param whole  read_height_grid_header() of the file
+GridPart read_grid_part(const std::filesystem::path& path, const HeightGrid& whole,
+                        const GridWindow& window, const HeightGridOptions& options = {});
 
 /// \throw InputError  a grid of one row or column, or without any data
 void check_usable(const HeightGrid& grid);

@@ -61,7 +61,7 @@ NodataRange::NodataRange(std::optional<double> nodata) {
   if (!nodata || std::isnan(*nodata)) return;
   exact = *nodata;
   low = high = to_float(exact);
-  if (std::abs(exact) > 1e30) {
+  if (std::abs(exact) > 1e30 && std::isfinite(exact)) {
     low = to_float(exact - 1e-6 * std::abs(exact));
     high = to_float(exact + 1e-6 * std::abs(exact));
   }

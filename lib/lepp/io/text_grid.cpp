@@ -50,8 +50,8 @@ class TextHeights {
 
   void store(double value) {
     const float height = to_float(value);
-    if (std::isinf(height)) refuse_infinite(stream_.where(), column_, row_);
     const bool none = nodata_.has(height) || std::isnan(height);
+    if (!none && std::isinf(height)) refuse_infinite(stream_.where(), column_, row_);
     grid_.heights.push_back(none ? std::numeric_limits<float>::quiet_NaN() : height);
     if (!none) grid_.rounding = std::max(grid_.rounding, std::abs(value - double(height)));
   }
