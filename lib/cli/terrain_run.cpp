@@ -8,7 +8,6 @@
 #include "interrupt.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/terrain/nonobtuse_tin.hpp"
-#include "lepp/terrain/tile_border.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
@@ -46,7 +45,9 @@ class Run {
     describe(grid_, made_.report);
     report().seconds.domain = timed([&] {
       domain_ = terrain_domain(grid_, job_.domain);
-      if (job_.border_error) fix_borders(grid_, *job_.border_error, domain_);
+      if (job_.border_error) {
+        fix_borders(grid_, *job_.border_error, domain_, job_.border_corners);
+      }
     });
     report().warnings = domain_.warnings;
     report().seconds.simplify = timed([&] { simplify_grid(); });

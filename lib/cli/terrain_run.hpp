@@ -5,6 +5,7 @@
 
 #include "lepp/io/terrain_report.hpp"
 #include "lepp/terrain/simplify.hpp"
+#include "lepp/terrain/tile_border.hpp"
 #include "lepp/terrain/world_tin.hpp"
 
 namespace lepp::cli {
@@ -14,6 +15,7 @@ struct TerrainJob {
   SimplifyOptions simplify;
   DomainOptions domain;
   std::optional<double> border_error;  ///< given: the sides of the grid are borders of tiles
+  BorderCorners border_corners = {};   ///< of a tile
   bool claims_error = true;            ///< max_error was asked for
   bool nonobtuse = false;
 };

@@ -144,8 +144,12 @@ class Tiles {
   int run_tile(std::uint32_t row, std::uint32_t column) {
     const GridWindow window = window_of(whole_, counts_, row, column);
     const auto start = std::chrono::steady_clock::now();
-    const HeightGrid grid = read(window);
+    GridPart part = read_grid_part(command_.input, whole_, window, command_.grid_options());
     report_.seconds.read += seconds_since(start);
+    if (!has_data(part.grid)) return done;
+    job_.border_corners = border_corners(part);
+    leave_to_neighbours(part);
+    const HeightGrid& grid = part.grid;
     if (!has_data(grid)) return done;
     MadeTerrain made = make_terrain(grid, {whole_, window.column, window.row}, job_);
     made.finest.figures.name = "tile " + std::to_string(row) + " " + std::to_string(column);

@@ -137,3 +137,27 @@ TEST_CASE("pieces of a border keep the curve of their side") {
   CHECK(validate(domain.pslg).empty());
   for (const Segment& s : domain.pslg.segments) CHECK(s.curve == curve);
 }
+
+TEST_CASE("a corner of the outline beside a border ends a run of it") {
+  const std::vector<float> flat(41, 5.0f);
+  const std::vector<std::uint32_t> corners = {0, 17, 40};
+  const auto at = border_samples(flat, 1, corners);
+  for (const std::uint32_t i : {0U, 1U, 16U, 17U, 18U, 39U, 40U}) {
+    CHECK(std::ranges::find(at, i) != at.end());
+  }
+  CHECK(std::ranges::adjacent_find(at) == at.end());
+}
+
+TEST_CASE("near a border is nearer than twice its pieces there") {
+  const HeightGrid grid = hills(65, 65);
+  TerrainDomain domain = rectangle(grid);
+  fix_borders(grid, 1e9, domain);  // pieces of 1, 2, 4, 8, 16 samples from each corner
+  const NearBorder is_near(grid, domain);
+  CHECK(is_near({0, 30}));
+  CHECK(is_near({20, 32}));
+  CHECK(is_near({64 - 20, 32}));
+  CHECK(is_near({1, 1}));
+  TerrainDomain fine = rectangle(grid);
+  fix_borders(grid, 0, fine);  // pieces of one sample on hills
+  CHECK_FALSE(NearBorder(grid, fine)({20, 32}));
+}

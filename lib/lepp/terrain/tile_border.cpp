@@ -86,8 +86,8 @@ class Borders {
     domain.fixed_heights.resize(points.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
-  void fix(const Side& side) {
-    const Samples samples = border_samples(side.heights, max_error_);
+  void fix(const Side& side, const Samples& corners) {
+    const Samples samples = border_samples(side.heights, max_error_, corners);
     std::vector<Segment> segments;
     for (const Segment& s : domain_.pslg.segments) cut(s, side, samples, segments);
     domain_.pslg.segments = std::move(segments);
@@ -141,27 +141,43 @@ class Borders {
 
 }  // namespace
 
-std::vector<std::uint32_t> border_samples(std::span<const float> heights, double max_error) {
+std::vector<std::uint32_t> border_samples(std::span<const float> heights, double max_error,
+                                          std::span<const std::uint32_t> corners) {
   Samples samples;
   const auto n = static_cast<std::uint32_t>(heights.size());
   for (std::uint32_t first = 0; first < n; ++first) {
     if (std::isnan(heights[first])) continue;
-    std::uint32_t last = first;
-    while (last + 1 < n && !std::isnan(heights[last + 1])) ++last;
-    Samples run{first};
-    if (first < last) run = pieces_of(heights, first, last, max_error);
-    samples.insert(samples.end(), run.begin(), run.end());
-    first = last;
+    samples.push_back(first);
+    while (first + 1 < n && !std::isnan(heights[first + 1])) {  // a run, from corner to corner
+      std::uint32_t last = first + 1;
+      const auto is_corner = [&](std::uint32_t i) {
+        return std::ranges::binary_search(corners, i);
+      };
+      while (last + 1 < n && !std::isnan(heights[last + 1]) && !is_corner(last)) ++last;
+      const Samples run = pieces_of(heights, first, last, max_error);
+      samples.insert(samples.end(), run.begin() + 1, run.end());
+      first = last;
+    }
   }
   return samples;
 }
 
-void fix_borders(const HeightGrid& grid, double max_error, TerrainDomain& domain) {
+BorderCorners border_corners(const GridPart& part) {
+  BorderCorners corners;
+  for (const GridSide side : {GridSide::south, GridSide::east, GridSide::north, GridSide::west}) {
+    corners[static_cast<std::size_t>(side)] = border_corners(part, side);
+  }
+  return corners;
+}
+
+void fix_borders(const HeightGrid& grid, double max_error, TerrainDomain& domain,
+                 const BorderCorners& corners) {
   Borders borders(domain, max_error);
-  borders.fix(horizontal(grid, 0));
-  borders.fix(horizontal(grid, grid.rows - 1));
-  borders.fix(vertical(grid, 0));
-  borders.fix(vertical(grid, grid.columns - 1));
+  const auto of = [&](GridSide side) { return corners[static_cast<std::size_t>(side)]; };
+  borders.fix(horizontal(grid, 0), of(GridSide::south));
+  borders.fix(horizontal(grid, grid.rows - 1), of(GridSide::north));
+  borders.fix(vertical(grid, 0), of(GridSide::west));
+  borders.fix(vertical(grid, grid.columns - 1), of(GridSide::east));
 }
 
 NearBorder::NearBorder(const HeightGrid& grid, const TerrainDomain& domain)
@@ -185,7 +201,7 @@ bool NearBorder::operator()(Point p) const {
     if (after == ends.end()) continue;
     const double before = after == ends.begin() ? *after : *(after - 1);
     const double next = after + 1 == ends.end() ? *after : *(after + 1);
-    if (distances[side] <= next - before) return true;
+    if (distances[side] <= 2 * (next - before)) return true;
   }
   return false;
 }

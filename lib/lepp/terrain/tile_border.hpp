@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lepp/terrain/grid_part.hpp"
 #include "lepp/terrain/terrain_domain.hpp"
 
 namespace lepp {
@@ -16,16 +17,26 @@ namespace lepp {
 /// of samples with data pieces are one sample long, so that lines that meet in the corner of a tile
 /// match in length.
 /// \param heights  NaN where there is no data
+/// \param corners  ascending: more samples that end a run, where the outline on one side of the
+/// line
+///                 leaves it (border_corners() in grid_part.hpp)
 /// \return  ascending indices; both ends of each run of samples with data are among them
-/// Cost     O(n log n).
-std::vector<std::uint32_t> border_samples(std::span<const float> heights, double max_error);
+/// Cost     O(n log n)
+std::vector<std::uint32_t> border_samples(std::span<const float> heights, double max_error,
+                                          std::span<const std::uint32_t> corners = {});
+
+/// border_corners() of the sides, by GridSide.
+using BorderCorners = std::array<std::vector<std::uint32_t>, 4>;
+BorderCorners border_corners(const GridPart& part);
 
 /// Makes the four sides of the grid borders: the domain gets the vertices of border_samples() on
 /// them, and sides between two of them are not cut (TerrainDomain::kept_border).
-void fix_borders(const HeightGrid& grid, double max_error, TerrainDomain& domain);
+void fix_borders(const HeightGrid& grid, double max_error, TerrainDomain& domain,
+                 const BorderCorners& corners = {});
 
-/// Where borders that must not be cut may be to blame for a small angle: nearer to one than the
-/// piece of it there is long, because a vertex inside the circle around a piece would cut it.
+/// Where borders that must not be cut may be to blame for a small angle: nearer to one than twice
+/// the length of the pieces there. A vertex inside the circle around a piece would ask for a cut,
+/// so triangles as far away may be without the one they need.
 class NearBorder {
  public:
   /// \param domain  after fix_borders()
