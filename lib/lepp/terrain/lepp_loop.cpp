@@ -43,6 +43,7 @@ LeppLoop::LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<boo
       off_centre_(of_places(min_angle_deg)),
       place_(of_places(min_angle_deg)),
       floor_(default_size_floor(mesh_)),
+      any_sharp_(segments_meet_sharply(mesh_)),
       frozen_(mesh_.vertex_count()),
       budget_(4 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
   asked_.min_angle_deg = min_angle_deg;
@@ -61,8 +62,14 @@ void LeppLoop::run(double error, std::size_t vertices) {
   start();
 }
 
+bool LeppLoop::met_kept_border(TriangleId t) const {
+  return std::ranges::find(at_kept_border_, mesh_.vertices(t)) != at_kept_border_.end();
+}
+
 void LeppLoop::start() {
+  at_kept_border_.clear();
   moves_.clear();
+  if (any_sharp_) encroached_.emplace(mesh_);
   targets_.emplace(mesh_, asked_);
   heap_.emplace(error_);
   for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
@@ -90,6 +97,7 @@ void LeppLoop::note_changes() {
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   terrain_.rescan(changed_);
   terrain_.choose_diagonals(changed_, error_);
+  if (encroached_) encroached_->update(mesh_, changed_);
   for (const TriangleId t : changed_) {
     targets_->add(mesh_, t);
     heap_->set(t, terrain_.error(t));
@@ -99,7 +107,13 @@ void LeppLoop::note_changes() {
 // False if there is nothing left to do.
 bool LeppLoop::take_turn(std::size_t vertices) {
   changed_.clear();
+  target_.reset();
+  if (const auto e = encroached_ ? encroached_->next(mesh_) : std::nullopt) {
+    if (!at_input_feature(mesh_, e->triangle, 2 * floor_)) cut(*e);
+    return true;
+  }
   if (const auto t = targets_->next(mesh_)) {
+    target_ = t;
     if (!is_improvable(*t)) return true;
     const auto before = mesh_.vertices(*t);
     if (improve(*t) && mesh_.vertices(*t) == before) targets_->add(mesh_, *t);
@@ -160,6 +174,7 @@ bool LeppLoop::move_a_corner(TriangleId t) {
     }
     for (const Point p : {terrain_.snapped(*place), in_supported_range(*place)}) {
       if (!is_good_center(p) || error_of_star(p) > limit) continue;
+      if (any_sharp_ && encroaches_beyond_link(mesh_, star_, p, suspects_)) continue;
       move_vertex(mesh_, v, star_, p, changed_);
       terrain_.set_height(v);
       ++moves_[v.index()];
@@ -203,6 +218,7 @@ bool LeppLoop::insert_at_good_place(TriangleId t, Point p) {
   if (!place) return false;
   for (const Point q : {terrain_.snapped(*place), in_supported_range(*place)}) {
     if (!sees_link(star_, q) || encroached_by(q) || badness_of_star(q) > bound_) continue;
+    if (any_sharp_ && encroaches_beyond_link(mesh_, star_, q, suspects_)) continue;
     fill(q);
     return true;
   }
@@ -243,6 +259,7 @@ bool LeppLoop::cut_line_at(TriangleId t, Sample s) {
   const Point p = terrain_.space().place(s);
   const auto e = terrain_.constrained_edge_at(t, p);
   if (!e) return false;
+  if (is_sharp(*e) && cut(*e)) return true;
   if (!cut_at_sample_near(*e, p)) terrain_.insert(t, s, changed_);
   return true;
 }
@@ -325,7 +342,10 @@ void LeppLoop::fill(Point p) {
 }
 
 bool LeppLoop::cut(HalfEdge e) {
-  if (!terrain_.may_cut(e)) return false;
+  if (!terrain_.may_cut(e)) {
+    if (target_) at_kept_border_.push_back(mesh_.vertices(*target_));
+    return false;
+  }
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
   if (cut_at_sample_near(e, midpoint(a, b))) return true;
   const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
@@ -334,13 +354,22 @@ bool LeppLoop::cut(HalfEdge e) {
 }
 
 bool LeppLoop::cut_at_sample_near(HalfEdge e, Point p) {
-  if (squared_length(e) < shortest_with_choice * shortest_with_choice) return false;
+  if (squared_length(e) < shortest_with_choice * shortest_with_choice || is_sharp(e)) return false;
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
   const double part =
       std::clamp(dot(p - a, b - a) / squared_distance(a, b), first_part, 1 - first_part);
   const Point q = terrain_.snapped(a + part * (b - a));
   return orient2d(a, b, q) == 0 &&
          terrain_.insert(e.triangle, terrain_.space().nearest(q), changed_);
+}
+
+// Edges at a sharp vertex are cut at common radii, not where a sample is.
+bool LeppLoop::is_sharp(HalfEdge e) const {
+  if (!any_sharp_) return false;
+  const auto is_center = [&](VertexId v) {
+    return mesh_.is_input(v) && fan_at(mesh_, e, v).exists();
+  };
+  return is_center(mesh_.origin(e)) || is_center(mesh_.destination(e));
 }
 
 double LeppLoop::squared_length(HalfEdge e) const {

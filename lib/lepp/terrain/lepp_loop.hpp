@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "lepp/refine/target_buckets.hpp"
 #include "lepp/terrain/error_heap.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
+#include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/relocate.hpp"
 
 namespace lepp {
@@ -36,6 +38,8 @@ class LeppLoop {
   std::size_t frozen() const { return frozen_; }
   /// The largest error, or the bound of run() if what is above it cannot be mended.
   double largest_error() const;
+  /// True if the last run() gave up `t` because of a side of the domain that must stay whole.
+  bool met_kept_border(TriangleId t) const;
   bool cancelled() const { return cancelled_; }
   bool out_of_budget() const { return mesh_.vertex_count() >= budget_; }
 
@@ -75,6 +79,7 @@ class LeppLoop {
   void fill(Point p);
   bool cut(HalfEdge e);
   bool cut_at_sample_near(HalfEdge e, Point p);
+  bool is_sharp(HalfEdge e) const;
   double squared_length(HalfEdge e) const;
 
   TerrainMesh& terrain_;
@@ -89,13 +94,18 @@ class LeppLoop {
   std::optional<ErrorHeap> heap_;
   double error_ = 0;
   double floor_;
+  bool any_sharp_;
+  std::optional<EncroachedEdges> encroached_;  // looked at only where lines meet sharply
   std::size_t frozen_, budget_;
   bool cancelled_ = false;
 
   std::optional<TerrainMesh::State> kept_;  // the least error with so many vertices
   double kept_error_ = std::numeric_limits<double>::infinity();
 
+  std::vector<std::array<VertexId, 3>> at_kept_border_;  // targets given up there
+
   // Of the turn in hand.
+  std::optional<TriangleId> target_;
   Cavity cavity_;
   std::optional<HalfEdge> barrier_;  // what kept find_cavity() from its place
   Star star_;

@@ -68,7 +68,13 @@ class LeppSimplification {
     RefineOptions asked;
     asked.min_angle_deg = options_.min_angle_deg;
     asked.obtuse = ObtuseRule::ignore;
-    return judge(mesh, asked, otherwise).unfinished;
+    std::vector<Unfinished> unfinished = judge(mesh, asked, otherwise).unfinished;
+    for (Unfinished& u : unfinished) {
+      if (!is_forced_by_input(u.reason) && loop_.met_kept_border(u.triangle)) {
+        u.reason = Reason::kept_border;
+      }
+    }
+    return unfinished;
   }
 
   TerrainMesh& terrain_;

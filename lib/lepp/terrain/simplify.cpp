@@ -58,7 +58,7 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
   report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
   report.goal_reached = report.error.max <= levels.last_error() &&
                         std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
-                          return is_forced_by_input(u.reason);
+                          return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;
                         });
   return tin;
 }

@@ -23,13 +23,14 @@ namespace {
 // rounded, and twice as far stays clear of that.
 constexpr double on_line = 2 * same_place;
 
-double squared_distance_to_line(Point a, Point b, Point p) {
-  const double twice_area = cross(b - a, p - a);
-  return twice_area * twice_area / squared_distance(a, b);
-}
-
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
+
+bool lies_between(Point a, Point b, Point p) {
+  const double twice_area = cross(b - a, p - a), part = part_of_way(a, b, p);
+  return twice_area * twice_area <= on_line * on_line * squared_distance(a, b) && part > 0 &&
+         part < 1;
+}
 
 std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> number_of(order.size());
@@ -196,7 +197,7 @@ bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& change
   if (const auto e = constrained_edge_at(t, p)) return cut_at(*e, p, changed);
   if (!contains(mesh(), t, p)) {
     const WayEnd end = straight_walk(mesh(), t, p);
-    if (end.barrier) return cut_at(*end.barrier, p, changed);
+    if (end.barrier) return is_on(*end.barrier, p) && cut_at(*end.barrier, p, changed);
     t = end.triangle;
   }
   return insert_inside(t, p, changed);
@@ -244,12 +245,14 @@ void TerrainMesh::renumber(std::size_t first) {
 
 std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) const {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge e{t, i};
-    if (!mesh().is_constrained(e)) continue;
-    const Point a = mesh().point(mesh().origin(e)), b = mesh().point(mesh().destination(e));
-    if (squared_distance_to_line(a, b, p) <= on_line * on_line) return e;
+    if (is_on({t, i}, p)) return HalfEdge{t, i};
   }
   return std::nullopt;
+}
+
+bool TerrainMesh::is_on(HalfEdge e, Point p) const {
+  return mesh().is_constrained(e) &&
+         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p);
 }
 
 // A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.

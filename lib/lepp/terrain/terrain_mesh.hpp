@@ -99,6 +99,7 @@ class TerrainMesh {
   void scan_triangle(TriangleId t);
   bool choose_diagonal(HalfEdge e);
   bool is_hard(HalfEdge e) const;
+  bool is_on(HalfEdge e, Point p) const;
   void put_on_line(VertexId v);
   bool cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed);
 

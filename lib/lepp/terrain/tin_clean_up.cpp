@@ -61,7 +61,16 @@ bool TinCleanUp::collect_link(VertexId v) {
     if (mesh_.is_boundary(in)) add(mesh_.origin(in));
     return simple && corners.size() <= most_corners;
   });
-  return simple && corners.size() >= 3 && corners.size() <= most_corners;
+  if (!simple || corners.size() < 3 || corners.size() > most_corners) return false;
+  return mesh_.origin_of(v).kind == VertexOrigin::Kind::interior || !is_side_encroached();
+}
+
+// True if a corner would see the side that v cuts under more than 90 degrees.
+bool TinCleanUp::is_side_encroached() const {
+  const auto& corners = filling_.corners();
+  const Point a = corners.front().place, b = corners.back().place;
+  return std::any_of(corners.begin() + 1, corners.end() - 1,
+                     [&](const StarFilling::Corner& c) { return is_obtuse(a, c.place, b); });
 }
 
 // Without v the place where it was is the most likely one to be off.

@@ -36,6 +36,7 @@ class TinCleanUp {
  private:
   bool can_do_without(VertexId v);
   bool collect_link(VertexId v);
+  bool is_side_encroached() const;
   bool is_filling_within_bounds(VertexId v) const;
   Removal remove(VertexId v);
   void note_changes(const std::vector<TriangleId>& changed);
