@@ -99,7 +99,7 @@ class Run {
     const NearBorder is_near(grid_, domain_);
     for (Unfinished& u : simplified_.unfinished) {
       if (u.reason != Reason::size_floor) continue;
-      if (std::ranges::any_of(mesh.corners(u.triangle), is_near)) u.reason = Reason::method;
+      if (std::ranges::any_of(mesh.corners(u.triangle), is_near)) u.reason = Reason::kept_border;
     }
     const bool error_kept = is_kept(simplified_.error, job_.simplify.max_error);
     simplified_.goal_reached = error_kept && angles_reached();
@@ -156,7 +156,7 @@ class Run {
 
   bool angles_reached() const {
     return std::ranges::all_of(simplified_.unfinished, [](const Unfinished& u) {
-      return is_forced_by_input(u.reason) || u.reason == Reason::method;
+      return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;
     });
   }
 

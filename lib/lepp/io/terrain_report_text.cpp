@@ -45,7 +45,7 @@ std::string error_lines(const TerrainReport& r) {
   const std::string asked = r.max_error ? fmt::format(" (asked for: {:.6g})", *r.max_error) : "";
   add_line(text, "largest error", fmt::format("{:.6g}{}", e.max, asked));
   add_line(text, "  at", place(r.whole));
-  add_line(text, "  above, below, RMS",
+  add_line(text, "  grid above, grid below, RMS",
            fmt::format("{:.6g}, {:.6g}, {:.6g}", e.highest, -e.lowest, e.rms));
   add_line(text, "samples checked", fmt::format("{}", e.samples));
   add_line(text, "samples lost, nodata covered", fmt::format("{}, {}", e.lost, e.covered));
