@@ -22,5 +22,6 @@ void add_check_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
 void add_info_command(CLI::App& app, int& status);
 void add_picture_command(CLI::App& app, int& status);
+void add_terrain_command(CLI::App& app, int& status);
 
 }  // namespace lepp::cli

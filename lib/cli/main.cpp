@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   cli::add_convert_command(app, status);
   cli::add_info_command(app, status);
   cli::add_picture_command(app, status);
+  cli::add_terrain_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -95,13 +95,15 @@ void write_text(const std::string& target, const std::string& text) {
   files.commit();
 }
 
+void print_report(const std::string& text, const std::string& as_json, const std::string& json,
+                  bool quiet) {
+  if (!quiet) print(json == "-" ? stderr : stdout, text);
+  if (!json.empty()) write_text(json, as_json);
+}
+
 void print_report(const RunReport& report, const std::string& json, bool quiet) {
-  const bool json_on_stdout = json == "-";
-  if (!quiet) {
-    const std::string text = to_text(report);
-    print(json_on_stdout ? stderr : stdout, text);
-  }
-  if (!json.empty()) write_text(json, to_json(report));
+  print_report(quiet ? std::string() : to_text(report),
+               json.empty() ? std::string() : to_json(report), json, quiet);
 }
 
 }  // namespace lepp::cli

@@ -38,5 +38,7 @@ void write_text(const std::string& target, const std::string& text);
 /// Prints the report: as JSON to `json` ("-" is standard output) if it is not empty, and as text
 /// unless `quiet`, to standard output or, if JSON is there, to standard error.
 void print_report(const RunReport& report, const std::string& json, bool quiet);
+void print_report(const std::string& text, const std::string& as_json, const std::string& json,
+                  bool quiet);
 
 }  // namespace lepp::cli

@@ -58,7 +58,7 @@ class GeoFile {
 
   OutputFile& out_;
   const Mesh& mesh_;
-  Outline outline_;
+  MeshOutline outline_;
   std::vector<bool> on_line_, is_point_;
 };
 

@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/io/gmsh_groups.hpp"
 #include "lepp/io/gmsh_mesh_entities.hpp"
 #include "lepp/io/gmsh_rules.hpp"
@@ -114,7 +115,31 @@ class Builder {
     return {mesh_.coordinates[3 * std::size_t{node}], mesh_.coordinates[3 * std::size_t{node} + 1]};
   }
 
-  void check_plane() const {
+  /// A terrain, whose triangles all face up, is read in plan; other meshes have to be plane.
+  void check_plane() {
+    const auto [low, high] = heights();
+    if (low == high) return;
+    if (!all_face_up()) return refuse_other_planes();
+    warn(fmt::format("a terrain, from z = {} to {}: read in plan, without its heights", low, high));
+  }
+
+  std::pair<double, double> heights() const {
+    double low = z(node_of_.front()), high = low;
+    for (const std::uint32_t node : node_of_) {
+      low = std::min(low, z(node));
+      high = std::max(high, z(node));
+    }
+    return {low, high};
+  }
+  double z(std::uint32_t node) const { return mesh_.coordinates[3 * std::size_t{node} + 2]; }
+
+  bool all_face_up() const {
+    return std::ranges::all_of(mesh_.triangles, [&](const GmshTriangle& t) {
+      return orient2d(position(t.nodes[0]), position(t.nodes[1]), position(t.nodes[2])) > 0;
+    });
+  }
+
+  void refuse_other_planes() const {
     Point low = soup_.points.front(), high = low;
     for (const Point p : soup_.points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -122,8 +147,7 @@ class Builder {
     }
     PlaneCheck same_height(source_, std::max(high.x - low.x, high.y - low.y));
     for (const std::uint32_t node : node_of_)
-      same_height(mesh_.coordinates[3 * std::size_t{node} + 2],
-                  fmt::format("node {}", mesh_.node_tags[node]));
+      same_height(z(node), fmt::format("node {}", mesh_.node_tags[node]));
   }
 
   /// A triangle stands in the file once for each group of its surface; it is taken once.

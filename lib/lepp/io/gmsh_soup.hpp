@@ -15,7 +15,8 @@ namespace lepp {
 /// of a triangle, are dropped with a warning; repeated lines and triangles count once. Every
 /// boundary and interface edge gets a curve: that of a line of the file, else one with tag 0 for
 /// each combination of surfaces beside it. \throw InputError  no triangles; nodes outside one
-/// plane; a curve or surface unknown
+/// plane, unless all triangles face up (a terrain, which is read in plan, with a warning); a curve
+/// or surface unknown
 GmshInput soup_from_gmsh(const GmshRecord& record, const ElementGroups& old_groups,
                          const std::string& source);
 

@@ -11,7 +11,7 @@ namespace {
 
 class Tracer {
  public:
-  Tracer(const Mesh& mesh, Outline& result) : mesh_(mesh), result_(result) {
+  Tracer(const Mesh& mesh, MeshOutline& result) : mesh_(mesh), result_(result) {
     number_of_.assign(3 * mesh.triangle_count(), none);
     for (std::size_t i = 0; i < result.edges.size(); ++i) {
       number_of_[code(result.edges[i])] = i;
@@ -86,15 +86,15 @@ class Tracer {
   }
 
   const Mesh& mesh_;
-  Outline& result_;
+  MeshOutline& result_;
   std::vector<std::size_t> number_of_;
   std::vector<bool> done_;
 };
 
 }  // namespace
 
-Outline outline(const Mesh& mesh) {
-  Outline result;
+MeshOutline outline(const Mesh& mesh) {
+  MeshOutline result;
   const DualComponents components = dual_components(mesh);
   result.part_of_triangle = components.of_triangle;
   result.parts.resize(components.count);

@@ -7,8 +7,8 @@
 
 namespace lepp {
 
-/// A constrained edge in a loop: its index in Outline::edges, and whether the loop runs along that
-/// half-edge or against it.
+/// A constrained edge in a loop: its index in MeshOutline::edges, and whether the loop runs along
+/// that half-edge or against it.
 struct LoopEdge {
   std::size_t edge = 0;
   bool along = true;
@@ -23,13 +23,13 @@ struct OutlinePart {
 };
 
 /// The constrained edges of a mesh, joined to the loops around its parts.
-struct Outline {
+struct MeshOutline {
   std::vector<HalfEdge> edges;  ///< each constrained edge once
   std::vector<OutlinePart> parts;
   std::vector<std::uint32_t> part_of_triangle;
 };
 
 /// \pre M1 to M4.  Cost O(n) for bounded vertex degree.
-Outline outline(const Mesh& mesh);
+MeshOutline outline(const Mesh& mesh);
 
 }  // namespace lepp

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -42,20 +43,40 @@ void write_names(OutputFile& out, const std::vector<PhysicalGroup>& groups) {
   out << "$EndPhysicalNames\n";
 }
 
+// Where vertices lie in space.
+class Places {
+ public:
+  Places(const Mesh& mesh, std::span<const double> heights) : mesh_(mesh), heights_(heights) {}
+
+  std::array<double, 3> operator[](VertexId v) const {
+    const Point p = mesh_.point(v);
+    return {p.x, p.y, heights_.empty() ? 0.0 : heights_[v.index()]};
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::span<const double> heights_;
+};
+
+OutputFile& operator<<(OutputFile& out, const std::array<double, 3>& place) {
+  return out << place[0] << ' ' << place[1] << ' ' << place[2];
+}
+
 class BoundingBox {
  public:
-  void add(Point p) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+  void add(const std::array<double, 3>& place) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low_[i] = std::min(low_[i], place[i]);
+      high_[i] = std::max(high_[i], place[i]);
+    }
   }
   friend OutputFile& operator<<(OutputFile& out, const BoundingBox& box) {
-    return out << box.low_.x << ' ' << box.low_.y << " 0 " << box.high_.x << ' ' << box.high_.y
-               << " 0";
+    return out << box.low_ << ' ' << box.high_;
   }
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point low_{infinity, infinity}, high_{-infinity, -infinity};
+  std::array<double, 3> low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity};
 };
 
 // ---- format 4.1 --------------------------------------------------------------------------------
@@ -71,12 +92,12 @@ int point_tag(const MshEntities& entities, VertexId v) {
   return entities.points[entities.owner_of_vertex[v.index()].index].tag;
 }
 
-void write_curve_entity(OutputFile& out, const Mesh& mesh, const MshEntities& entities,
+void write_curve_entity(OutputFile& out, const Places& places, const MshEntities& entities,
                         const MshCurve& curve) {
   BoundingBox box;
   for (const auto& [a, b] : curve.lines) {
-    box.add(mesh.point(a));
-    box.add(mesh.point(b));
+    box.add(places[a]);
+    box.add(places[b]);
   }
   out << curve.tag << ' ' << box;
   write_groups(out, entities, curve.groups);
@@ -88,11 +109,11 @@ void write_curve_entity(OutputFile& out, const Mesh& mesh, const MshEntities& en
   out << '\n';
 }
 
-void write_surface_entity(OutputFile& out, const Mesh& mesh, const MshEntities& entities,
-                          const MshSurface& surface) {
+void write_surface_entity(OutputFile& out, const Mesh& mesh, const Places& places,
+                          const MshEntities& entities, const MshSurface& surface) {
   BoundingBox box;
   for (const TriangleId t : surface.triangles) {
-    for (const Point p : mesh.corners(t)) box.add(p);
+    for (const VertexId v : mesh.vertices(t)) box.add(places[v]);
   }
   out << surface.tag << ' ' << box;
   write_groups(out, entities, surface.groups);
@@ -101,19 +122,20 @@ void write_surface_entity(OutputFile& out, const Mesh& mesh, const MshEntities& 
   out << '\n';
 }
 
-void write_entities(OutputFile& out, const Mesh& mesh, const MshEntities& entities) {
+void write_entities(OutputFile& out, const Mesh& mesh, const Places& places,
+                    const MshEntities& entities) {
   out << "$Entities\n"
       << entities.points.size() << ' ' << entities.curves.size() << ' ' << entities.surfaces.size()
       << " 0\n";
   for (const MshPoint& p : entities.points) {
-    const Point at = mesh.point(p.vertex);
-    out << p.tag << ' ' << at.x << ' ' << at.y << " 0";
+    out << p.tag << ' ' << places[p.vertex];
     write_groups(out, entities, p.groups);
     out << '\n';
   }
-  for (const MshCurve& curve : entities.curves) write_curve_entity(out, mesh, entities, curve);
-  for (const MshSurface& surface : entities.surfaces)
-    write_surface_entity(out, mesh, entities, surface);
+  for (const MshCurve& curve : entities.curves) write_curve_entity(out, places, entities, curve);
+  for (const MshSurface& surface : entities.surfaces) {
+    write_surface_entity(out, mesh, places, entities, surface);
+  }
   out << "$EndEntities\n";
 }
 
@@ -137,14 +159,14 @@ int entity_tag(const MshEntities& entities, std::size_t dimension, std::size_t i
   return dimension == 1 ? entities.curves[index].tag : entities.surfaces[index].tag;
 }
 
-void write_nodes_41(OutputFile& out, const Mesh& mesh, const MshEntities& entities) {
+void write_nodes_41(OutputFile& out, const Places& places, const MshEntities& entities) {
   const NodeLists lists = node_lists(entities);
   std::size_t blocks = 0;
   for (const auto& of_dimension : lists) {
     blocks += static_cast<std::size_t>(
         std::ranges::count_if(of_dimension, [](const auto& list) { return !list.empty(); }));
   }
-  const std::size_t n = mesh.vertex_count();
+  const std::size_t n = entities.owner_of_vertex.size();
   out << "$Nodes\n" << blocks << ' ' << n << " 1 " << n << '\n';
   for (std::size_t dimension = 0; dimension < 3; ++dimension) {
     for (std::size_t i = 0; i < lists[dimension].size(); ++i) {
@@ -152,10 +174,7 @@ void write_nodes_41(OutputFile& out, const Mesh& mesh, const MshEntities& entiti
       if (list.empty()) continue;
       out << dimension << ' ' << entity_tag(entities, dimension, i) << " 0 " << list.size() << '\n';
       for (const VertexId v : list) out << node(v) << '\n';
-      for (const VertexId v : list) {
-        const Point p = mesh.point(v);
-        out << p.x << ' ' << p.y << " 0\n";
-      }
+      for (const VertexId v : list) out << places[v] << '\n';
     }
   }
   out << "$EndNodes\n";
@@ -228,11 +247,10 @@ int only_group(const Mesh& mesh, const std::string& file, std::string_view what,
                    "use format msh41");
 }
 
-void write_nodes_22(OutputFile& out, const Mesh& mesh) {
+void write_nodes_22(OutputFile& out, const Mesh& mesh, const Places& places) {
   out << "$Nodes\n" << mesh.vertex_count() << '\n';
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    const Point p = mesh.point(VertexId(i));
-    out << i + 1 << ' ' << p.x << ' ' << p.y << " 0\n";
+    out << i + 1 << ' ' << places[VertexId(i)] << '\n';
   }
   out << "$EndNodes\n";
 }
@@ -266,10 +284,12 @@ void write_elements_22(OutputFile& out, const Mesh& mesh, const MshEntities& ent
 
 }  // namespace
 
-void write_msh(const Mesh& mesh, const std::filesystem::path& path, MshFormat format) {
+void write_msh(const Mesh& mesh, const std::filesystem::path& path, MshFormat format,
+               std::span<const double> heights) {
   check_groups(mesh, path.string());
   MshEntities entities = msh_entities(mesh);
   if (format == MshFormat::msh41) leave_nothing_ungrouped(entities);
+  const Places places(mesh, heights);
   AtomicFiles files;
   OutputFile& out = files.add(path);
   out << "$MeshFormat\n"
@@ -277,11 +297,11 @@ void write_msh(const Mesh& mesh, const std::filesystem::path& path, MshFormat fo
       << "$EndMeshFormat\n";
   write_names(out, entities.groups);
   if (format == MshFormat::msh41) {
-    write_entities(out, mesh, entities);
-    write_nodes_41(out, mesh, entities);
+    write_entities(out, mesh, places, entities);
+    write_nodes_41(out, places, entities);
     write_elements_41(out, mesh, entities);
   } else {
-    write_nodes_22(out, mesh);
+    write_nodes_22(out, mesh, places);
     write_elements_22(out, mesh, entities, path.string());
   }
   files.commit();

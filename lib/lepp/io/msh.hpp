@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "lepp/triangulation/mesh.hpp"
 
@@ -21,9 +22,10 @@ enum class MshFormat {
 /// readers refuse or lose such elements beside others with a group. So if there is a group at all,
 /// it leaves out points of no group, and curves of no group that only separate regions, as Gmsh
 /// does; other curves and surfaces of no group form a group "ungrouped" of their dimension.
+/// \param heights  z coordinates, one per vertex; empty: all 0
 /// \throw OutputError; InputError  msh22 and an entity in several groups, or a group name with a
 ///        double quote or a line end, which the format cannot hold
 void write_msh(const Mesh& mesh, const std::filesystem::path& path,
-               MshFormat format = MshFormat::msh41);
+               MshFormat format = MshFormat::msh41, std::span<const double> heights = {});
 
 }  // namespace lepp

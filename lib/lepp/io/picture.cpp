@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <vector>
 
 #include "lepp/io/atomic_files.hpp"
+#include "lepp/io/picture_frame.hpp"
 
 namespace lepp {
 
@@ -20,33 +20,10 @@ constexpr std::string_view edge_color = "#7d8b99", inside_color = "#b3541e",
                            boundary_color = "#1d2b3a", box_color = "#2a7f62";
 constexpr double margin = 10;
 
-// From coordinates of the mesh to the drawing: the corner is subtracted first, y points down.
-class Frame {
- public:
-  Frame(std::span<const Point> points, double longest_side) {
-    for (const Point p : points) {
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-    }
-    scale_ = longest_side / std::max(high_.x - low_.x, high_.y - low_.y);
-  }
-
-  double width() const { return 2 * margin + scale_ * (high_.x - low_.x); }
-  double height() const { return 2 * margin + scale_ * (high_.y - low_.y); }
-  Point place(Point p) const {
-    return {margin + scale_ * (p.x - low_.x), margin + scale_ * (high_.y - p.y)};
-  }
-
- private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point low_{infinity, infinity}, high_{-infinity, -infinity};
-  double scale_ = 1;
-};
-
 // Paths of an SVG drawing.
 class Drawing {
  public:
-  Drawing(OutputFile& out, const Frame& frame) : out_(out), frame_(frame) {
+  Drawing(OutputFile& out, const PictureFrame& frame) : out_(out), frame_(frame) {
     out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
     out_.fixed(frame.width(), 1) << "\" height=\"";
     out_.fixed(frame.height(), 1) << "\" viewBox=\"0 0 ";
@@ -74,7 +51,7 @@ class Drawing {
   }
 
   OutputFile& out_;
-  const Frame& frame_;
+  const PictureFrame& frame_;
 };
 
 // The triangles of each region; one path each.
@@ -150,7 +127,7 @@ void draw_boxes(Drawing& drawing, const Mesh& mesh, const VoronoiBoxes& boxes, d
 
 void write_picture(const Mesh& mesh, const std::filesystem::path& path,
                    const PictureOptions& options) {
-  const Frame frame(mesh.points(), options.width);
+  const PictureFrame frame(mesh.points(), options.width, margin);
   const double stroke = options.width / 1000;  // thinner lines in a smaller drawing
   AtomicFiles files;
   Drawing drawing(files.add(path), frame);

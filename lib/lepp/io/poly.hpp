@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "lepp/geometry/pslg.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
@@ -37,7 +38,10 @@ void write_poly(const Pslg& pslg, const std::filesystem::path& path);
 /// attribute of their region. X.poly has no vertices of its own and holds all constrained edges,
 /// each with a marker that is not 0 (the tag of its curve, else 1), a point in each hole and one in
 /// each connected region. Numbers start where those of the input did.
+/// \param heights  an attribute of the vertices, one per vertex; empty: no attribute. With them,
+///        triangles of a single surface carry none.
 /// \throw OutputError
-void write_ele(const Mesh& mesh, const std::filesystem::path& path);
+void write_ele(const Mesh& mesh, const std::filesystem::path& path,
+               std::span<const double> heights = {});
 
 }  // namespace lepp

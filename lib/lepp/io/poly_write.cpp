@@ -62,10 +62,13 @@ class Sections {
  public:
   Sections(OutputFile& out, std::int64_t base) : out_(out), base_(base) {}
 
-  void vertices(std::span<const Point> points) {
-    out_ << points.size() << " 2 0 0\n";
+  // with one attribute each, or none
+  void vertices(std::span<const Point> points, std::span<const double> attributes = {}) {
+    out_ << points.size() << (attributes.empty() ? " 2 0 0\n" : " 2 1 0\n");
     for (std::size_t i = 0; i < points.size(); ++i) {
-      out_ << number(i) << ' ' << points[i].x << ' ' << points[i].y << '\n';
+      out_ << number(i) << ' ' << points[i].x << ' ' << points[i].y;
+      if (!attributes.empty()) out_ << ' ' << attributes[i];
+      out_ << '\n';
     }
   }
 
@@ -94,20 +97,22 @@ class Sections {
     }
   }
 
-  void triangles(const Mesh& mesh) {
+  void triangles(const Mesh& mesh, bool with_regions) {
     std::vector<std::string> attributes;  // as text: few regions, many triangles
     for (std::size_t s = 0; s < mesh.entities().surfaces.size(); ++s) {
       attributes.push_back(to_text(attribute_of(mesh.entities(), SurfaceId(s))));
     }
-    out_ << mesh.triangle_count() << " 3 1\n";
+    out_ << mesh.triangle_count() << (with_regions ? " 3 1\n" : " 3 0\n");
     for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
       const TriangleId t(i);
       out_ << number(i);
       for (const VertexId v : mesh.vertices(t)) out_ << ' ' << number(v.index());
-      const std::size_t region = mesh.region(t).index();
-      out_ << ' ';
-      if (region < attributes.size()) out_ << attributes[region];
-      else out_ << attribute_of(mesh.entities(), mesh.region(t));
+      if (with_regions) {
+        const std::size_t region = mesh.region(t).index();
+        out_ << ' ';
+        if (region < attributes.size()) out_ << attributes[region];
+        else out_ << attribute_of(mesh.entities(), mesh.region(t));
+      }
       out_ << '\n';
     }
   }
@@ -155,14 +160,15 @@ void write_poly(const Pslg& pslg, const fs::path& path) {
   files.commit();
 }
 
-void write_ele(const Mesh& mesh, const fs::path& path) {
+void write_ele(const Mesh& mesh, const fs::path& path, std::span<const double> heights) {
   const std::int64_t base = base_for_file(mesh.base());
   AtomicFiles files;
   const auto beside = [&](const char* extension) -> OutputFile& {
     return files.add(fs::path(path).replace_extension(extension));
   };
-  Sections(beside(".node"), base).vertices(mesh.points());
-  Sections(beside(".ele"), base).triangles(mesh);
+  Sections(beside(".node"), base).vertices(mesh.points(), heights);
+  const bool is_plain_tin = !heights.empty() && mesh.entities().surfaces.size() <= 1;
+  Sections(beside(".ele"), base).triangles(mesh, !is_plain_tin);
   Sections poly(beside(".poly"), base);
   poly.vertices({});
   write_outline(poly, mesh);

@@ -36,7 +36,7 @@ struct GroupFigures {
 };
 
 /// One figure for each Reason, in the order of the enumeration.
-using ReasonCounts = std::array<std::size_t, 6>;
+using ReasonCounts = std::array<std::size_t, 7>;
 
 /// An edge without which the mesh would be admissible, in the user's numbers.
 struct OffendingEdge {

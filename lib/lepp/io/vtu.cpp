@@ -29,10 +29,14 @@ class Grid {
   void open(std::string_view element) { out_ << '<' << element << ">\n"; }
   void close(std::string_view element) { out_ << "</" << element << ">\n"; }
 
-  void points(std::span<const Point> points) {
+  // heights may be empty: all 0
+  void points(std::span<const Point> points, std::span<const double> heights) {
     open("Points");
     out_ << "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-    for (const Point p : points) out_ << p.x << ' ' << p.y << " 0\n";
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      out_ << points[i].x << ' ' << points[i].y << ' ' << (heights.empty() ? 0.0 : heights[i])
+           << '\n';
+    }
     close("DataArray");
     close("Points");
   }
@@ -126,7 +130,7 @@ std::vector<std::size_t> box_of_piece(const VoronoiBoxes& boxes, std::size_t pie
 void write_vtu(const Mesh& mesh, const std::filesystem::path& path, const VtuData& data) {
   AtomicFiles files;
   Grid grid(files.add(path), mesh.vertex_count(), mesh.triangle_count());
-  grid.points(mesh.points());
+  grid.points(mesh.points(), data.heights);
   write_triangles(grid, mesh);
   grid.open("PointData");
   grid.values(data.at_vertices, mesh.vertex_count());
@@ -143,7 +147,7 @@ void write_boxes_vtu(const Mesh& mesh, const VoronoiBoxes& boxes,
   const auto box = [&](std::size_t i) { return boxes.boxes[box_of[i]]; };
   AtomicFiles files;
   Grid grid(files.add(path), boxes.corners.size(), pieces);
-  grid.points(boxes.corners);
+  grid.points(boxes.corners, {});
   grid.open("Cells");
   grid.array("Int64", "connectivity", boxes.corners.size(), [](std::size_t i) { return i; });
   grid.array("Int64", "offsets", pieces, [&](std::size_t i) { return boxes.piece_begin[i + 1]; });

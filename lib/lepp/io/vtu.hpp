@@ -19,6 +19,7 @@ struct NamedValues {
 struct VtuData {
   std::vector<NamedValues> at_vertices = {};
   std::vector<NamedValues> at_triangles = {};
+  std::vector<double> heights = {};  ///< z coordinates, one per vertex; empty: all 0
 };
 
 /// Writes a VTK unstructured grid (.vtu, ASCII) of the triangles, with cell data `region` (tag of

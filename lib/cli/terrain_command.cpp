@@ -1,0 +1,237 @@
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "lepp/io/hillshade.hpp"
+#include "terrain_options.hpp"
+#include "terrain_run.hpp"
+#include "terrain_tiles.hpp"
+#include "validators.hpp"
+
+namespace lepp::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void check_targets(const TerrainCommand& command, bool has_crs) {
+  for (const fs::path& target : terrain_targets(command, has_crs)) {
+    check_target(target, command.input, command.output.force);
+  }
+}
+
+void describe_wishes(const TerrainCommand& command, const SimplifyOptions& options,
+                     TerrainReport& report) {
+  report.by = options.by == SimplifyBy::lepp ? "lepp" : "greedy";
+  report.metric = options.metric == TerrainMetric::planar ? "planar" : "surface";
+  if (!command.max_error.empty()) report.max_error = options.max_error;
+  report.max_vertices = command.max_vertices;
+  if (options.by == SimplifyBy::lepp) report.min_angle_deg = options.min_angle_deg;
+}
+
+void write_level(MadeTin& made, const HeightGrid& grid, const TerrainCommand& command,
+                 const std::string& suffix) {
+  const fs::path target = with_suffix(command.output.target, suffix);
+  write_tin(made.world, target, command.tin_format());
+  made.figures.output = target.string();
+  if (command.picture.empty()) return;
+  HillshadeOptions options;
+  options.width = command.picture_width;
+  options.cell_width = grid.cell_width;
+  write_hillshade(made.tin, with_suffix(command.picture, suffix), options);
+}
+
+void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& command) {
+  for (std::size_t i = 0; i < made.coarser.size(); ++i) {
+    write_level(made.coarser[i], grid, command, level_suffix(i + 1));
+    made.report.levels[i].output = made.coarser[i].figures.output;
+  }
+  write_level(made.finest, grid, command, "");
+  made.report.whole.output = made.finest.figures.output;
+}
+
+int status_of(const TerrainReport& report) {
+  if (!report.valid) return bug;
+  if (interrupted()) return refused;
+  return report.goal_reached ? done : unfinished;
+}
+
+int run_whole(const TerrainCommand& command, TerrainReport& report) {
+  const auto start = Clock::now();
+  HeightGrid grid = read_height_grid(command.input, command.grid_options());
+  check_targets(command, !grid.crs.empty());
+  describe(grid, report);
+  const double range = report.highest - report.lowest;
+  TerrainJob job;
+  job.simplify = simplify_options(command, range);
+  job.border_error = border_error(command, range);
+  std::vector<std::string> warnings = grid.warnings;
+  job.domain = domain_options(command, grid, warnings);
+  job.claims_error = !command.max_error.empty();
+  job.nonobtuse = command.nonobtuse;
+  const double reading = seconds_since(start);
+  MadeTerrain made = make_terrain(grid, {grid}, job);
+  const int status = status_of(made.report);
+  if (status == done || (status == unfinished && command.allow_unfinished)) {
+    const auto writing = Clock::now();
+    write_all(made, grid, command);
+    made.report.seconds.write = seconds_since(writing);
+  }
+  report = std::move(made.report);
+  report.seconds.read = reading;
+  for (std::size_t i = 0; i < report.levels.size(); ++i) {
+    report.levels[i].name = "level " + std::to_string(i + 1);
+  }
+  report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
+  describe_wishes(command, job.simplify, report);
+  return status;
+}
+
+int run_in_tiles(const TerrainCommand& command, TerrainReport& report) {
+  report.valid = true;
+  const int status = run_tiles(command, report);
+  describe_wishes(command, simplify_options(command, report.highest - report.lowest), report);
+  return status;
+}
+
+int run(const TerrainCommand& command) {
+  const auto start = Clock::now();
+  check_terrain_options(command);
+  check_targets(command, false);
+  check_report_target(command.json, command.input, terrain_targets(command, true));
+  TerrainReport report;
+  const TileCounts tiles = command.tile_counts();
+  const bool has_tiles = tiles.rows * tiles.columns > 1;
+  const int status = has_tiles ? run_in_tiles(command, report) : run_whole(command, report);
+  report.input = command.input.string();
+  if (status == refused) report.warnings.push_back("cancelled; nothing more was written");
+  if (status == unfinished && !command.allow_unfinished) {
+    report.warnings.push_back(
+        "the goal was not reached, so nothing more was written; "
+        "--allow-unfinished writes the valid TIN all the same");
+  }
+  report.seconds.total = seconds_since(start);
+  report.peak_memory_bytes = peak_memory_bytes();
+  if (command.quiet && status != done && !report.warnings.empty()) {
+    std::fprintf(stderr, "lepp: %s: %s\n", report.input.c_str(), report.warnings.back().c_str());
+  }
+  print_report(to_text(report), to_json(report), command.json, command.quiet);
+  return status;
+}
+
+void add_goals(CLI::App& app, TerrainCommand& command) {
+  app.add_option(
+         "--max-error", command.max_error,
+         "largest difference from any sample, in the unit of heights, or of their range: 2%")
+      ->check(height_or_percent());
+  app.add_option("--max-vertices", command.max_vertices, "no more vertices than this")
+      ->check(whole_number_from(3));
+  app.add_option("--by", command.by,
+                 "lepp: angles are bounded; greedy: fewest vertices (default lepp)")
+      ->transform(
+          choice_of<SimplifyBy>({{"lepp", SimplifyBy::lepp}, {"greedy", SimplifyBy::greedy}}));
+  app.add_option("--min-angle", command.min_angle_deg, "smallest angle wanted, by lepp")
+      ->check(number_from(0, 34))
+      ->capture_default_str();
+  app.add_option("--metric", command.metric,
+                 "planar: lengths and angles of the map; surface: those in space (default planar)")
+      ->transform(choice_of<TerrainMetric>(
+          {{"planar", TerrainMetric::planar}, {"surface", TerrainMetric::surface}}));
+  app.add_option("--levels", command.level_errors,
+                 "errors of coarser levels, descending: 10%,5% or 50,20; level i is written as "
+                 "NAME.level<i>.EXT, the coarsest being 1")
+      ->delimiter(',')
+      ->check(height_or_percent());
+  app.add_option("--level-vertices", command.level_vertices,
+                 "numbers of vertices of coarser levels, ascending")
+      ->delimiter(',')
+      ->check(whole_number_from(3));
+  app.add_flag("--nonobtuse", command.nonobtuse,
+               "leave no obtuse angle opposite an edge of the outline, so that the Voronoi boxes "
+               "are admissible for finite volumes");
+}
+
+void add_inputs(CLI::App& app, TerrainCommand& command) {
+  app.add_option("--cell", command.cell,
+                 "width and height of a cell, where the file does not say or is wrong")
+      ->expected(2)
+      ->check(number_above_zero());
+  app.add_option("--nodata", command.nodata, "height that means no data");
+  app.add_option("--clip", command.clip,
+                 "polygons outside of which nothing is meshed: GeoJSON, or what GDAL reads; may be "
+                 "given again");
+  app.add_option("--breaklines", command.breaklines,
+                 "lines kept as edges, with the heights of the file if it has any, else with those "
+                 "of the grid; may be given again");
+  app.add_option("--soft-breaklines", command.soft_breaklines,
+                 "the same, always with the heights of the grid");
+}
+
+void add_tiles(CLI::App& app, TerrainCommand& command) {
+  app.add_option(
+         "--tiles", command.tiles,
+         "ROWSxCOLUMNS: the raster is read and meshed piece by piece; tile (row, column) is "
+         "written as NAME_<row>_<column>.EXT, row 0 the first of the file")
+      ->check(rows_by_columns());
+  app.add_option("--tile-output", command.tile_output,
+                 "files: one per tile; mesh: all tiles joined in one; both (default files)")
+      ->transform(choice_of<TileOutput>(
+          {{"files", TileOutput::files}, {"mesh", TileOutput::mesh}, {"both", TileOutput::both}}));
+  app.add_option("--border-error", command.border_error,
+                 "vertices on the sides of the raster depend on nothing but the samples there and "
+                 "this error, so that neighbours match (with --tiles: of each tile, default "
+                 "--max-error)")
+      ->check(height_or_percent());
+}
+
+void add_outputs(CLI::App& app, TerrainCommand& command) {
+  app.add_option("--picture", command.picture, "hill-shaded picture, .svg or .png; one per level");
+  app.add_option("--picture-width", command.picture_width, "its longest side")
+      ->check(number_from(1, 20'000))
+      ->capture_default_str();
+  app.add_option("--json", command.json, "write the report as JSON to a file, or - for stdout");
+  app.add_option("--format", command.output.format,
+                 "of .msh: msh41 (default) or msh22; of .slf: serafind (default) or serafin, of "
+                 "single precision")
+      ->check(CLI::IsMember({"msh41", "msh22", "serafind", "serafin"}));
+  app.add_flag("--allow-unfinished", command.allow_unfinished,
+               "write a valid TIN even if the goal was not reached (status 3)");
+  app.add_flag("--force", command.output.force, "overwrite outputs");
+  app.add_flag("-q,--quiet", command.quiet, "no report on the terminal");
+}
+
+}  // namespace
+
+void add_terrain_command(CLI::App& app, int& status) {
+  const auto command = std::make_shared<TerrainCommand>();
+  CLI::App& terrain =
+      *app.add_subcommand("terrain", "Make a TIN of a height grid (DEM) within an error bound");
+  terrain
+      .add_option("DEM", command->input,
+                  ".asc, .stm, .pgm, .npy, .f32, or what GDAL reads: .tif, ...")
+      ->required();
+  terrain.add_option("-o,--output", command->output.target, tin_file_kinds())->required();
+  add_goals(terrain, *command);
+  add_inputs(terrain, *command);
+  add_tiles(terrain, *command);
+  add_outputs(terrain, *command);
+  terrain.footer(
+      "Examples:\n"
+      "  lepp terrain dem.tif -o dem.ply --max-error 2\n"
+      "  lepp terrain dem.asc -o fort.14 --max-error 1% --picture dem.png --json report.json\n"
+      "  lepp terrain dem.stm -o dem.obj --cell 30 30 --max-error 5 --levels 100,30 --by greedy\n"
+      "  lepp terrain dem.tif -o valley.nc --max-error 1 --clip valley.geojson --breaklines "
+      "rivers.shp\n"
+      "  lepp terrain catchment.asc -o catchment.msh --max-error 1 --nonobtuse\n"
+      "  lepp terrain large.f32 -o large.2dm --max-error 2 --tiles 4x4");
+  terrain.callback([command, &status] { status = run(*command); });
+}
+
+}  // namespace lepp::cli

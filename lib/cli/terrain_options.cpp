@@ -1,0 +1,212 @@
+#include "terrain_options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+
+#include "lepp/io/terrain_lines.hpp"
+#include "validators.hpp"
+
+namespace lepp::cli {
+
+namespace {
+
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<HeightOrPart> parsed(std::string_view text) {
+  HeightOrPart result;
+  result.is_percent = text.ends_with('%');
+  if (result.is_percent) text.remove_suffix(1);
+  const auto value = number_in<double>(text);
+  if (!value || !(*value >= 0) || !std::isfinite(*value)) return std::nullopt;
+  result.value = *value;
+  return result;
+}
+
+std::optional<TileCounts> counts_in(std::string_view text) {
+  constexpr std::uint32_t most = 10'000;
+  const std::size_t x = text.find('x');
+  if (x == text.npos) return std::nullopt;
+  const auto rows = number_in<std::uint32_t>(text.substr(0, x));
+  const auto columns = number_in<std::uint32_t>(text.substr(x + 1));
+  if (!rows || !columns || *rows < 1 || *columns < 1 || *rows > most || *columns > most) {
+    return std::nullopt;
+  }
+  return TileCounts{*rows, *columns};
+}
+
+void refuse(bool is_wrong, const std::string& option, const std::string& why) {
+  if (is_wrong) throw CLI::ValidationError(option, why);
+}
+
+}  // namespace
+
+HeightOrPart height_or_part(const std::string& text) {
+  return parsed(text).value_or(HeightOrPart());
+}
+
+CLI::Validator height_or_percent() {
+  return {[](const std::string& text) {
+            return parsed(text) ? std::string()
+                                : "'" + text + "' does not fit: give a height from 0 on, or a " +
+                                      "percentage of the range of heights such as 2%";
+          },
+          ""};
+}
+
+CLI::Validator rows_by_columns() {
+  return {[](const std::string& text) {
+            return counts_in(text) ? std::string()
+                                   : "'" + text + "' does not fit: give ROWSxCOLUMNS such as 4x3";
+          },
+          ""};
+}
+
+HeightGridOptions TerrainCommand::grid_options() const {
+  HeightGridOptions options;
+  if (cell.size() == 2) options.cell = CellSize{cell[0], cell[1]};
+  options.nodata = nodata;
+  return options;
+}
+
+TileCounts TerrainCommand::tile_counts() const {
+  return tiles.empty() ? TileCounts() : *counts_in(tiles);
+}
+
+TinFormat TerrainCommand::tin_format() const {
+  TinFormat format;
+  if (output.format == "msh22") format.msh = MshFormat::msh22;
+  if (output.format == "serafin") format.selafin = SelafinPrecision::floats;
+  return format;
+}
+
+bool TerrainCommand::is_relative() const {
+  const auto percent = [](const std::string& text) { return text.ends_with('%'); };
+  return percent(max_error) || percent(border_error) || std::ranges::any_of(level_errors, percent);
+}
+
+void check_terrain_options(const TerrainCommand& c) {
+  refuse(c.max_error.empty() && !c.max_vertices, "--max-error",
+         "is missing: give --max-error E, --max-vertices N, or both");
+  refuse(!is_tin_file(c.output.target), "--output",
+         c.output.target.string() + " is of no kind that holds a TIN; name it " + tin_file_kinds());
+  refuse(!c.picture.empty() && c.picture.extension() != ".svg" && c.picture.extension() != ".png",
+         "--picture", c.picture.string() + " is no picture; name it .svg or .png");
+  refuse(c.nonobtuse && c.by == SimplifyBy::greedy, "--nonobtuse", "goes with --by lepp only");
+  refuse(c.nonobtuse && c.metric == TerrainMetric::surface, "--nonobtuse",
+         "goes with --metric planar only");
+  refuse(c.nonobtuse && c.asks_for_levels(), "--nonobtuse",
+         "moves no vertex but adds some, which levels cannot share; run without levels");
+  refuse(c.by == SimplifyBy::greedy && c.metric == TerrainMetric::surface, "--metric",
+         "surface goes with --by lepp only");
+  const TileCounts tiles = c.tile_counts();
+  const bool has_tiles = tiles.rows * tiles.columns > 1;
+  refuse(has_tiles && c.max_error.empty(), "--tiles",
+         "needs --max-error, by which the borders of tiles are made");
+  refuse(has_tiles && c.max_vertices, "--max-vertices",
+         "is of the whole and cannot go with --tiles");
+  refuse(has_tiles && c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
+  const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
+  refuse(has_tiles && has_lines, "--tiles",
+         "does not go with --clip and --breaklines, which would cut the borders of tiles");
+  refuse(!c.border_error.empty() && c.nonobtuse, "--nonobtuse", "would cut the fixed borders");
+}
+
+SimplifyOptions simplify_options(const TerrainCommand& c, double range) {
+  SimplifyOptions options;
+  if (!c.max_error.empty()) options.max_error = height_or_part(c.max_error).in(range);
+  if (c.max_vertices) options.max_vertices = *c.max_vertices;
+  options.by = c.by;
+  options.metric = c.metric;
+  options.min_angle_deg = c.min_angle_deg;
+  for (const std::string& text : c.level_errors) {
+    options.level_errors.push_back(height_or_part(text).in(range));
+  }
+  options.level_vertices = c.level_vertices;
+  const auto& errors = options.level_errors;
+  refuse(!std::ranges::is_sorted(errors, std::greater<>()) ||
+             (!errors.empty() && errors.back() < options.max_error),
+         "--levels", "must be errors that descend, all above --max-error");
+  const auto& counts = options.level_vertices;
+  refuse(
+      !std::ranges::is_sorted(counts) || (!counts.empty() && counts.back() > options.max_vertices),
+      "--level-vertices", "must be counts that ascend, all below --max-vertices");
+  return options;
+}
+
+DomainOptions domain_options(const TerrainCommand& c, const HeightGrid& grid,
+                             std::vector<std::string>& warnings) {
+  TerrainLineOptions options;
+  options.grid_crs = grid.crs;
+  options.warnings = &warnings;
+  DomainOptions domain;
+  for (const auto& file : c.clip) {
+    for (ClipPolygon& p : read_clip_polygons(file, options)) domain.clip.push_back(std::move(p));
+  }
+  const auto add = [&](const std::filesystem::path& file) {
+    for (Breakline& l : read_breaklines(file, options)) domain.breaklines.push_back(std::move(l));
+  };
+  for (const auto& file : c.breaklines) add(file);
+  options.ignore_heights = true;
+  for (const auto& file : c.soft_breaklines) add(file);
+  return domain;
+}
+
+std::optional<double> border_error(const TerrainCommand& c, double range) {
+  const TileCounts tiles = c.tile_counts();
+  if (c.border_error.empty() && tiles.rows * tiles.columns == 1) return std::nullopt;
+  const double whole = height_or_part(c.max_error).in(range);
+  if (c.border_error.empty()) return whole;
+  const double error = height_or_part(c.border_error).in(range);
+  refuse(!c.max_error.empty() && error > whole, "--border-error",
+         "is above --max-error, which borders have to keep too");
+  return error;
+}
+
+std::vector<std::filesystem::path> terrain_targets(const TerrainCommand& c, bool has_crs) {
+  std::vector<std::filesystem::path> tins, all;
+  const TileCounts tiles = c.tile_counts();
+  const bool has_tiles = tiles.rows * tiles.columns > 1;
+  const auto add = [&](const std::string& suffix, bool with_tin) {
+    if (!c.picture.empty()) all.push_back(with_suffix(c.picture, suffix));
+    if (with_tin) tins.push_back(with_suffix(c.output.target, suffix));
+  };
+  std::vector<std::string> suffixes;
+  for (std::uint32_t i = 0; i < tiles.rows; ++i) {
+    for (std::uint32_t k = 0; k < tiles.columns; ++k) {
+      suffixes.push_back(has_tiles ? tile_suffix(i, k) : "");
+    }
+  }
+  const bool to_files = !has_tiles || c.tile_output != TileOutput::mesh;
+  for (const std::string& suffix : suffixes) {
+    add(suffix, to_files);
+    for (std::size_t level = 1; to_files && level <= c.coarser_levels(); ++level) {
+      add(suffix + level_suffix(level), true);
+    }
+  }
+  if (has_tiles && c.tile_output != TileOutput::files) tins.push_back(c.output.target);
+  for (const auto& tin : tins) {
+    const auto files = tin_files_of(tin, has_crs);
+    all.insert(all.end(), files.begin(), files.end());
+  }
+  return all;
+}
+
+std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix) {
+  return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
+}
+
+std::string level_suffix(std::size_t level) { return ".level" + std::to_string(level); }
+
+std::string tile_suffix(std::uint32_t row, std::uint32_t column) {
+  return "_" + std::to_string(row) + "_" + std::to_string(column);
+}
+
+}  // namespace lepp::cli

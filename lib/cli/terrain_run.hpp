@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lepp/io/terrain_report.hpp"
+#include "lepp/terrain/simplify.hpp"
+#include "lepp/terrain/tile_border.hpp"
+#include "lepp/terrain/world_tin.hpp"
+
+namespace lepp::cli {
+
+/// What one grid is to become.
+struct TerrainJob {
+  SimplifyOptions simplify;
+  DomainOptions domain;
+  std::optional<double> border_error;  ///< given: the sides of the grid are borders of tiles
+  BorderCorners border_corners = {};   ///< of a tile
+  bool claims_error = true;            ///< max_error was asked for
+  bool nonobtuse = false;
+};
+
+/// A TIN with what was found out about it.
+struct MadeTin {
+  Tin tin;  ///< in grid space
+  WorldTin world;
+  TerrainFigures figures;
+};
+
+struct MadeTerrain {
+  MadeTin finest;
+  std::vector<MadeTin> coarser;  ///< the coarsest first
+  TerrainReport report;          ///< all but reading and writing
+};
+
+/// From a grid to TINs that were measured and checked from scratch.
+/// \param whole  the grid that `grid` is a window of, whose georeference counts; `at` is where
+/// \throw Error  as the stages do
+struct GridPlace {
+  const HeightGrid& whole;
+  std::uint32_t column = 0, row = 0;
+};
+MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job);
+
+/// Adds what was found for a tile to the report of the whole.
+void add_to(TerrainReport& whole, const TerrainReport& part);
+
+/// Fills in what a report says of a grid: size, samples, range of heights.
+void describe(const HeightGrid& grid, TerrainReport& report);
+
+}  // namespace lepp::cli

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "lepp/io/terrain_report.hpp"
+
+namespace lepp {
+
+namespace {
+
+void add_line(std::string& text, std::string_view label, const std::string& value) {
+  text += fmt::format("{:<34}{}\n", label, value);
+}
+
+std::string answer(bool yes) { return yes ? "yes" : "no"; }
+
+std::string place(const TerrainFigures& f) {
+  return fmt::format("column {}, row {}: ({:.10g}, {:.10g})", f.error.column, f.error.row,
+                     f.error_at.x, f.error_at.y);
+}
+
+// What was made, a line each: vertices, triangles and the error found.
+std::string table(const TerrainReport& r) {
+  const auto& list = r.tiles.empty() ? r.levels : r.tiles;
+  if (list.empty()) return {};
+  std::string text = fmt::format("{:<34}{:>10}{:>10}{:>14}{:>12}  {}\n", "", "vertices",
+                                 "triangles", "max. error", "RMS", "file");
+  const auto row = [&](const std::string& name, const TerrainFigures& f) {
+    text += fmt::format("{:<34}{:>10}{:>10}{:>14.6g}{:>12.4g}  {}\n", name, f.vertices, f.triangles,
+                        f.error.max, f.error.rms, f.output);
+  };
+  constexpr std::size_t shown_at_most = 20;
+  for (std::size_t i = 0; i < std::min(list.size(), shown_at_most); ++i) row(list[i].name, list[i]);
+  if (list.size() > shown_at_most) {
+    text += fmt::format("... and {} more\n", list.size() - shown_at_most);
+  }
+  row(r.tiles.empty() ? "finest" : "all", r.whole);
+  return text + '\n';
+}
+
+std::string error_lines(const TerrainReport& r) {
+  const TerrainError& e = r.whole.error;
+  std::string text;
+  const std::string asked = r.max_error ? fmt::format(" (asked for: {:.6g})", *r.max_error) : "";
+  add_line(text, "largest error", fmt::format("{:.6g}{}", e.max, asked));
+  add_line(text, "  at", place(r.whole));
+  add_line(text, "  grid above, grid below, RMS",
+           fmt::format("{:.6g}, {:.6g}, {:.6g}", e.highest, -e.lowest, e.rms));
+  add_line(text, "samples checked", fmt::format("{}", e.samples));
+  add_line(text, "samples lost, nodata covered", fmt::format("{}, {}", e.lost, e.covered));
+  if (r.error_kept) add_line(text, "error kept", answer(*r.error_kept));
+  return text;
+}
+
+std::string histogram(const AngleHistogram& counts) {
+  std::size_t all = 0;
+  for (const std::size_t n : counts) all += n;
+  std::string text;
+  for (std::size_t i = 0; i < counts.size() && all > 0; ++i) {
+    if (counts[i] == 0) continue;
+    const double percent = 100.0 * static_cast<double>(counts[i]) / static_cast<double>(all);
+    text += fmt::format("{}{}-{}: {:.2f} %", text.empty() ? "" : ", ", 5 * i, 5 * (i + 1), percent);
+  }
+  return text;
+}
+
+std::string reasons(const ReasonCounts& counts) {
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i],
+                        to_string(static_cast<Reason>(i)));
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::string angle_lines(const TerrainReport& r) {
+  std::string text;
+  add_line(text, "angles",
+           fmt::format("{:.2f} to {:.2f} degrees, mean of the smallest {:.2f}",
+                       r.min_angle_deg_found, r.max_angle_deg_found, r.mean_min_angle_deg));
+  add_line(text, "smallest angles", histogram(r.smallest_angles));
+  if (r.min_angle_deg) {
+    add_line(text, fmt::format("triangles below {:.6g} degrees", *r.min_angle_deg),
+             reasons(r.below_bound));
+  }
+  if (r.admissible) {
+    add_line(text, "obtuse at constrained edges", fmt::format("{}", r.obtuse_constrained));
+    add_line(text, "admissible Voronoi boxes", answer(*r.admissible));
+  }
+  return text;
+}
+
+std::string costs(const TerrainReport& r) {
+  const TerrainSeconds& s = r.seconds;
+  std::string text;
+  add_line(
+      text, "seconds",
+      fmt::format("{:.3f} (read {:.3f}, domain {:.3f}, simplify {:.3f}, nonobtuse {:.3f}, "
+                  "measure {:.3f}, check {:.3f}, write {:.3f})",
+                  s.total, s.read, s.domain, s.simplify, s.nonobtuse, s.measure, s.check, s.write));
+  add_line(text, "peak memory",
+           fmt::format("{:.1f} MB", static_cast<double>(r.peak_memory_bytes) / 1e6));
+  return text;
+}
+
+std::string problems(const TerrainReport& r) {
+  std::string text;
+  for (const std::string& w : r.warnings) text += "warning: " + w + '\n';
+  for (const MeshViolation& v : r.violations) text += v.rule + " broken: " + v.where + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const TerrainReport& r) {
+  std::string text = table(r);
+  add_line(text, "input",
+           fmt::format("{}, {} x {} samples, {} with data", r.input, r.columns, r.rows, r.samples));
+  add_line(text, "heights", fmt::format("{:.6g} to {:.6g}", r.lowest, r.highest));
+  if (!r.whole.output.empty()) add_line(text, "output", r.whole.output);
+  add_line(text, "vertices, triangles", fmt::format("{}, {}", r.whole.vertices, r.whole.triangles));
+  text += error_lines(r) + angle_lines(r);
+  add_line(text, "goal reached", answer(r.goal_reached));
+  add_line(text, "valid", answer(r.valid));
+  return text + costs(r) + problems(r);
+}
+
+}  // namespace lepp

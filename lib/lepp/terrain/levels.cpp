@@ -1,0 +1,58 @@
+#include "lepp/terrain/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lepp {
+
+namespace {
+
+double largest_height(const HeightGrid& grid) {
+  float largest = 0;
+  for (const float h : grid.heights) largest = std::abs(h) > largest ? std::abs(h) : largest;
+  return largest;
+}
+
+}  // namespace
+
+Levels::Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report)
+    : grid_(grid), options_(options), report_(report), rounding_(0x1p-44 * largest_height(grid)) {}
+
+double Levels::error() const {
+  const auto& errors = options_.level_errors;
+  return next_error_ < errors.size() ? raised(errors[next_error_]) : last_error();
+}
+
+std::size_t Levels::vertices() const {
+  const auto& counts = options_.level_vertices;
+  return next_count_ < counts.size() ? std::min(counts[next_count_], options_.max_vertices)
+                                     : options_.max_vertices;
+}
+
+bool Levels::has_ended(const Tin& tin, double error) const {
+  return error <= this->error() || tin.mesh.vertex_count() >= vertices();
+}
+
+bool Levels::next(const Tin& tin, double error) {
+  const std::size_t count = tin.mesh.vertex_count();
+  const std::size_t errors = options_.level_errors.size(), counts = options_.level_vertices.size();
+  if (cancelled_ || error <= last_error() || count >= options_.max_vertices) return false;
+  const bool by_error = next_error_ < errors && error <= this->error();
+  if (!by_error && next_count_ == counts) return false;
+  note(tin);
+  if (by_error) {
+    while (next_error_ < errors && error <= this->error()) ++next_error_;
+  } else {
+    ++next_count_;
+  }
+  while (next_count_ < counts && count >= vertices()) ++next_count_;
+  return true;
+}
+
+void Levels::note(const Tin& tin) {
+  const TerrainLevel level{tin.mesh.vertex_count(), measure_error(grid_, tin).max};
+  report_.levels.push_back(level);
+  if (options_.on_level) options_.on_level(tin, level);
+}
+
+}  // namespace lepp

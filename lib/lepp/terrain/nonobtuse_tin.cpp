@@ -1,0 +1,157 @@
+#include "lepp/terrain/nonobtuse_tin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "lepp/refine/refine.hpp"
+#include "lepp/terrain/greedy.hpp"
+#include "lepp/terrain/levels.hpp"
+#include "lepp/terrain/sample_space.hpp"
+#include "lepp/terrain/terrain_mesh.hpp"
+#include "lepp/triangulation/flip.hpp"
+
+namespace lepp {
+
+namespace {
+
+constexpr std::size_t most_rounds = 50;
+
+// The frame in which angles count: the world's, if its proportions are the true ones.
+class Frame {
+ public:
+  explicit Frame(const HeightGrid& grid) : grid_(grid) {
+    const double aspect = std::abs(grid.step_y) / grid.step_x;
+    is_world_ = !grid.degrees && std::abs(aspect - grid.aspect()) <= 1e-6 * aspect;
+  }
+  bool is_world() const { return is_world_; }
+  Point from_grid(Point p) const { return is_world_ ? grid_.to_world(p) : p; }
+  // Samples come back exactly.
+  Point to_grid(Point p) const {
+    if (!is_world_) return p;
+    const SampleSpace space(grid_);
+    const Point q = grid_.to_grid(p);
+    const TerrainCorner c = space.corner(q, 0);
+    const bool is_column = c.column == std::floor(c.column), is_line = c.line == std::floor(c.line);
+    return {is_column ? c.column : q.x, is_line ? c.line * grid_.aspect() : q.y};
+  }
+
+ private:
+  const HeightGrid& grid_;
+  bool is_world_;
+};
+
+void move_all(Mesh& mesh, auto place) {
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    mesh.move_vertex(VertexId(i), place(mesh.point(VertexId(i))));
+  }
+}
+
+class Work {
+ public:
+  Work(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
+       const NonobtuseTinOptions& options)
+      : grid_(grid), options_(options), frame_(grid), tin_(std::move(tin)) {
+    for (std::size_t i = 0; i < domain.fixed_heights.size(); ++i) {
+      const double height = domain.fixed_heights[i];
+      if (!std::isnan(height)) hard_.emplace(domain.pslg.points[i], height);
+    }
+  }
+
+  NonobtuseTin run() {
+    NonobtuseTin result;
+    result.judged_in_world = frame_.is_world();
+    bool error_kept = false;
+    do {  // ends: a round that goes on has added a sample
+      refine_in_frame(result);
+      ++result.rounds;
+      if (!options_.keep_error || !result.goal_reached) break;
+      error_kept = !insert_samples();
+    } while (!error_kept && result.rounds < most_rounds);
+    result.goal_reached = result.goal_reached && (error_kept || !options_.keep_error);
+    if (!frame_.is_world()) {
+      in_frame_ = tin_.mesh;
+      move_all(in_frame_, [&](Point p) { return grid_.to_world(p); });
+    }
+    result.in_world = std::move(in_frame_);
+    result.tin = std::move(tin_);
+    return result;
+  }
+
+ private:
+  // Leaves the mesh in both frames.
+  void refine_in_frame(NonobtuseTin& result) {
+    move_all(tin_.mesh, [&](Point p) { return frame_.from_grid(p); });
+    make_delaunay(tin_.mesh);
+    RefineOptions asked;
+    asked.min_angle_deg = options_.min_angle_deg;
+    asked.effort = Effort::fast;  // only adds vertices
+    asked.max_vertices = options_.max_vertices;
+    asked.progress = options_.progress;
+    const RefineReport refined = refine(tin_.mesh, asked);
+    result.goal_reached = refined.goal_reached;
+    result.unfinished = refined.unfinished;
+    in_frame_ = tin_.mesh;
+    move_all(tin_.mesh, [&](Point p) { return frame_.to_grid(p); });
+    for (std::size_t i = tin_.heights.size(); i < tin_.mesh.vertex_count(); ++i) {
+      tin_.heights.push_back(height_of(VertexId(i)));
+    }
+  }
+
+  double height_of(VertexId v) const {
+    const VertexOrigin& origin = tin_.mesh.origin_of(v);
+    const Point p = tin_.mesh.point(v);
+    if (origin.kind == VertexOrigin::Kind::on_segment) {
+      for (const SegmentId s : tin_.mesh.segments_of(SegmentSetId(origin.index))) {
+        if (const auto height = height_on(tin_.mesh.segments()[s.index()], p)) return *height;
+      }
+    }
+    return height_at(grid_, p);
+  }
+
+  // On a line that has heights of its own, between its ends.
+  std::optional<double> height_on(const Segment& s, Point p) const {
+    const Point a = tin_.mesh.point(s.a), b = tin_.mesh.point(s.b);
+    const auto low = hard_.find(a), high = hard_.find(b);
+    if (low == hard_.end() || high == hard_.end()) return std::nullopt;
+    const double part = std::clamp(dot(p - a, b - a) / squared_distance(a, b), 0.0, 1.0);
+    return low->second + part * (high->second - low->second);
+  }
+
+  // True if there was a sample to insert.
+  bool insert_samples() {
+    SimplifyOptions asked;
+    asked.by = SimplifyBy::greedy;
+    asked.max_error = options_.max_error;
+    asked.progress = options_.progress;
+    if (options_.max_vertices > 0) asked.max_vertices = options_.max_vertices;
+    SimplifyReport ignored;
+    std::vector<double> errors;
+    const std::size_t before = tin_.mesh.vertex_count();
+    make_delaunay(tin_.mesh);  // but for rounding it is
+    std::vector<bool> is_hard;
+    for (const Point p : tin_.mesh.points()) is_hard.push_back(hard_.contains(p));
+    TerrainMesh terrain(grid_, std::move(tin_), is_hard);
+    Levels levels(grid_, asked, ignored);
+    greedy(terrain, levels, errors);
+    tin_ = terrain.take();
+    return tin_.mesh.vertex_count() > before;
+  }
+
+  const HeightGrid& grid_;
+  const NonobtuseTinOptions& options_;
+  Frame frame_;
+  Tin tin_;        // in grid space, but while it is refined
+  Mesh in_frame_;  // the same, as refine() left it
+  std::map<Point, double> hard_;
+};
+
+}  // namespace
+
+NonobtuseTin make_nonobtuse(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
+                            const NonobtuseTinOptions& options) {
+  return Work(grid, domain, std::move(tin), options).run();
+}
+
+}  // namespace lepp

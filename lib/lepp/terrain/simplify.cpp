@@ -1,0 +1,66 @@
+#include "lepp/terrain/simplify.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "lepp/geometry/error.hpp"
+#include "lepp/terrain/greedy.hpp"
+#include "lepp/terrain/lepp_simplify.hpp"
+#include "lepp/terrain/levels.hpp"
+#include "lepp/terrain/terrain_mesh.hpp"
+
+namespace lepp {
+
+namespace {
+
+constexpr double largest_min_angle = 34;
+
+void check(bool good, const std::string& where, const std::string& problem,
+           const std::string& remedy) {
+  if (!good) throw InputError(where, problem, remedy);
+}
+
+void check_options(const SimplifyOptions& o) {
+  const std::string where = "options of terrain simplification";
+  check(o.max_error >= 0 && std::isfinite(o.max_error), where,
+        "the largest error is negative or no number", "give one of 0 or more");
+  check(o.min_angle_deg >= 0 && o.min_angle_deg <= largest_min_angle, where,
+        "the smallest angle is not between 0 and 34 degrees", "give one that is");
+  check(o.metric == TerrainMetric::planar, where,
+        "the metric of the surface is not available in this version", "use the planar one");
+  check(std::ranges::is_sorted(o.level_errors, std::greater<>()) &&
+            (o.level_errors.empty() || o.level_errors.back() >= o.max_error),
+        where, "the errors of the levels do not descend to the largest error",
+        "sort them, the largest first, all above the error of the whole");
+  check(std::ranges::is_sorted(o.level_vertices) &&
+            (o.level_vertices.empty() || o.level_vertices.back() <= o.max_vertices),
+        where, "the vertex counts of the levels do not ascend to the largest number of vertices",
+        "sort them, the smallest first, all below the number of the whole");
+}
+
+}  // namespace
+
+Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const SimplifyOptions& options,
+             SimplifyReport& report) {
+  check_options(options);
+  report = {};
+  TerrainMesh terrain(grid, domain);
+  Levels levels(grid, options, report);
+  report.first_prefix = terrain.mesh().vertex_count();
+  if (options.by == SimplifyBy::greedy) {
+    greedy(terrain, levels, report.error_of_prefix);
+  } else {
+    report.unfinished = lepp_simplify(terrain, levels, options);
+  }
+  Tin tin = terrain.take();
+  report.error = measure_error(grid, tin);
+  report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
+  report.goal_reached = report.error.max <= levels.last_error() &&
+                        std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
+                          return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;
+                        });
+  return tin;
+}
+
+}  // namespace lepp

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "lepp/refine/refine.hpp"
+#include "lepp/terrain/height_grid.hpp"
+#include "lepp/terrain/terrain_domain.hpp"
+#include "lepp/terrain/tin.hpp"
+#include "lepp/triangulation/unfinished.hpp"
+
+namespace lepp {
+
+/// How points are chosen.
+enum class SimplifyBy {
+  lepp,    ///< with angles in mind: a bound on every angle away from sharp input angles
+  greedy,  ///< the worst sample of the worst triangle: fewest vertices, no bound on angles
+};
+
+/// In which metric edges are long and triangles Delaunay.
+enum class TerrainMetric {
+  planar,   ///< of the plane
+  surface,  ///< of the surface in space: the paper's 3-D LEPP and sphere criterion
+};
+
+/// A level of detail: the first `vertices` of the TIN, triangulated with the same constraints.
+struct TerrainLevel {
+  std::size_t vertices = 0;
+  double max_error = 0;  ///< found for this level
+};
+
+struct SimplifyOptions {
+  double max_error = 0;  ///< largest |H - H*| at any sample with data, >= 0, in the unit of heights
+  /// No more vertices than this, those of the domain not counted less than they are; with
+  /// max_error = 0 as many as that allows.
+  std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
+  SimplifyBy by = SimplifyBy::lepp;
+  /// How much time `lepp` gives to fewer vertices: none, one round of clean-up, or many.
+  Effort effort = Effort::normal;
+  TerrainMetric metric = TerrainMetric::planar;
+  double min_angle_deg = 30;  ///< of `lepp`, in the plane with true cell sizes; 0 to 34
+  /// One run gives nested levels: for each error (descending, above max_error) the vertices of a
+  /// level are the first ones of the next. Empty: the one level of max_error.
+  std::vector<double> level_errors = {};
+  /// Likewise by counts of vertices (ascending, below max_vertices).
+  std::vector<std::size_t> level_vertices = {};
+  /// Called with each level but the last when it is complete: its TIN, which a later level grows
+  /// out of, and what was found for it.
+  std::function<void(const Tin& tin, const TerrainLevel& level)> on_level = {};
+  /// Called now and then with the number of vertices; false stops.
+  std::function<bool(std::size_t vertices)> progress = {};
+};
+
+/// How far a TIN is from its grid, over all samples with data, those on the rim included.
+struct TerrainError {
+  double max = 0;                     ///< largest |H - H*|
+  std::uint32_t column = 0, row = 0;  ///< where (row of the file)
+  double highest = 0, lowest = 0;     ///< largest and smallest H - H*
+  double rms = 0;
+  std::size_t samples = 0;  ///< with data and in the mesh
+  std::size_t lost = 0;     ///< with data, not in the mesh
+  std::size_t covered = 0;  ///< without data, inside a triangle
+};
+
+struct SimplifyReport {
+  bool goal_reached = false;  ///< the error is kept, and every angle but those listed
+  TerrainError error;
+  std::vector<TerrainLevel> levels;  ///< the last one is the TIN itself
+  /// Greedy: the largest error with the first `first_prefix` vertices, those of the domain, then
+  /// with one more each.
+  std::size_t first_prefix = 0;
+  std::vector<double> error_of_prefix;
+  std::vector<Unfinished> unfinished;  ///< triangles below the angle bound, and why
+};
+
+/// A grid as a TIN within a domain.
+/// \param domain  outline, holes and breaklines in grid space, and heights that lines ask for
+/// \return  a TIN in grid space; its mesh satisfies M1 to M6 (planar metric)
+/// \throw   InputError on options out of range, RefusedError
+/// Source   [rivara1999] section 8, [garland1995]; docs/algorithms/terrain.md
+Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const SimplifyOptions& options,
+             SimplifyReport& report);
+
+/// The error of any TIN of a grid, computed from nothing but the two, sample by sample, in double
+/// precision. Cost O(samples + triangles).
+TerrainError measure_error(const HeightGrid& grid, const Tin& tin);
+
+}  // namespace lepp

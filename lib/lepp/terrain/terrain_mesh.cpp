@@ -1,0 +1,277 @@
+#include "lepp/terrain/terrain_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "lepp/geometry/predicates.hpp"
+#include "lepp/refine/straight_walk.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/triangulation/flip.hpp"
+#include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/spatial_order.hpp"
+#include "lepp/triangulation/split.hpp"
+#include "lepp/triangulation/split_constrained.hpp"
+
+namespace lepp {
+
+namespace {
+
+// How near to a line, in cells, a sample is on it: crossings of sides with lines of samples are
+// rounded, and twice as far stays clear of that.
+constexpr double on_line = 2 * same_place;
+
+// Where between a and b, from 0 to 1.
+double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
+
+bool lies_between(Point a, Point b, Point p) {
+  const double twice_area = cross(b - a, p - a), part = part_of_way(a, b, p);
+  return twice_area * twice_area <= on_line * on_line * squared_distance(a, b) && part > 0 &&
+         part < 1;
+}
+
+std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> number_of(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number_of[order[i]] = static_cast<std::uint32_t>(i);
+  }
+  return number_of;
+}
+
+template <class T>
+void rearrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> arranged;
+  arranged.reserve(values.size());
+  for (const std::uint32_t i : order) arranged.push_back(values[i]);
+  values = std::move(arranged);
+}
+
+// A counting sort. The last corner, because the first ones may be those of the coarse levels.
+std::vector<std::uint32_t> triangles_by_last_corner(const Mesh& mesh) {
+  std::vector<std::uint32_t> begin(mesh.vertex_count() + 1, 0);
+  const auto last = [](const Triangle& t) { return std::ranges::max(t.vertices).index(); };
+  for (const Triangle& t : mesh.triangles()) ++begin[last(t) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> order(mesh.triangle_count());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[begin[last(mesh.triangles()[i])]++] = static_cast<std::uint32_t>(i);
+  }
+  return order;
+}
+
+}  // namespace
+
+TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
+    : grid_(grid), space_(grid), scan_(grid) {
+  Triangulation start =
+      constrained_delaunay(domain.pslg, {.crossings = Crossings::split, .threads = 1});
+  state_.tin.mesh = std::move(start.mesh);
+  state_.kept.assign(mesh().vertex_count(), 0);
+  state_.hard.assign(mesh().vertex_count(), 0);
+  state_.tin.heights.resize(mesh().vertex_count());
+  for (std::size_t i = 0; i < mesh().vertex_count(); ++i) {
+    state_.tin.heights[i] = height_of(mesh().point(VertexId(i)));
+  }
+  for (std::size_t i = 0; i < domain.pslg.points.size(); ++i) {
+    const auto v = start.report.vertex_of_point[i];
+    if (!v) continue;
+    if (!domain.kept_border.empty() && domain.kept_border[i]) state_.kept[v->index()] = 1;
+    if (domain.fixed_heights.empty() || std::isnan(domain.fixed_heights[i])) continue;
+    state_.hard[v->index()] = 1;
+    state_.tin.heights[v->index()] = domain.fixed_heights[i];
+  }
+  state_.worst.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
+}
+
+TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard)
+    : grid_(grid), space_(grid), scan_(grid) {
+  state_.tin = std::move(tin);
+  state_.kept.assign(mesh().vertex_count(), 0);
+  state_.hard.assign(is_hard.begin(), is_hard.end());
+  state_.worst.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
+}
+
+void TerrainMesh::scan_triangle(TriangleId t) {
+  const auto& [a, b, c] = mesh().vertices(t);
+  state_.worst[t.index()] = scan_.worst_or_bad({corner(a), corner(b), corner(c)}, enough_);
+}
+
+void TerrainMesh::rescan(std::span<const TriangleId> changed) {
+  state_.worst.resize(mesh().triangle_count());
+  for (const TriangleId t : changed) scan_triangle(t);
+}
+
+void TerrainMesh::choose_diagonals(std::vector<TriangleId>& changed, double limit) {
+  for (std::size_t k = 0; k < changed.size(); ++k) {  // ends: each flip lowers the larger error
+    const TriangleId t = changed[k];
+    if (!(error(t) > limit)) continue;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge e{t, i};
+      if (mesh().is_constrained(e)) continue;
+      const TriangleId across = mesh().twin(e)->triangle;
+      if (!choose_diagonal(e)) continue;
+      changed.push_back(across);
+      changed.push_back(t);
+      break;
+    }
+  }
+}
+
+// Flips `e` if both diagonals are Delaunay and the other one is off less.
+bool TerrainMesh::choose_diagonal(HalfEdge e) {
+  const HalfEdge f = *mesh().twin(e);
+  const VertexId a = mesh().origin(e), b = mesh().destination(e);
+  const VertexId c = mesh().apex(e), d = mesh().apex(f);
+  if (incircle(mesh().point(a), mesh().point(b), mesh().point(c), mesh().point(d)) != 0)
+    return false;
+  const double now = std::max(error(e.triangle), error(f.triangle));
+  const TerrainCorner at_c = corner(c), at_d = corner(d);
+  if (!scan_.is_within({at_c, corner(a), at_d}, now) ||
+      !scan_.is_within({at_d, corner(b), at_c}, now)) {
+    return false;
+  }
+  const double then = std::max(scan_.worst({at_c, corner(a), at_d}).error,
+                               scan_.worst({at_d, corner(b), at_c}).error);
+  if (!(then < now) || !is_flippable(mesh(), e)) return false;
+  const TriangleId pair[] = {e.triangle, f.triangle};
+  flip(mesh(), e);
+  rescan(pair);
+  return true;
+}
+
+double TerrainMesh::height_of(Point p) const {
+  const Sample s = space_.nearest(p);
+  if (SampleSpace::is_at(space_.corner(p, 0), s) && !std::isnan(space_.height(s))) {
+    return space_.height(s);
+  }
+  return height_at(grid_, p);
+}
+
+bool TerrainMesh::is_hard(HalfEdge e) const {
+  return mesh().is_constrained(e) && state_.hard[mesh().origin(e).index()] != 0 &&
+         state_.hard[mesh().destination(e).index()] != 0;
+}
+
+bool TerrainMesh::may_cut(HalfEdge e) const {
+  return !mesh().is_boundary(e) || state_.kept[mesh().origin(e).index()] == 0 ||
+         state_.kept[mesh().destination(e).index()] == 0;
+}
+
+void TerrainMesh::add_heights() {
+  for (std::size_t i = state_.tin.heights.size(); i < mesh().vertex_count(); ++i) {
+    state_.tin.heights.push_back(height_of(mesh().point(VertexId(i))));
+    state_.kept.push_back(0);
+    state_.hard.push_back(0);
+    if (mesh().origin_of(VertexId(i)).kind == VertexOrigin::Kind::on_segment)
+      put_on_line(VertexId(i));
+  }
+}
+
+// A vertex that cuts a line with heights of its own gets one between those of its neighbours there.
+void TerrainMesh::put_on_line(VertexId v) {
+  std::array<std::optional<VertexId>, 2> hard;
+  for_each_in_fan(mesh(), v, [&](TriangleId t, std::uint32_t corner) {
+    const HalfEdge out{t, previous_corner(corner)}, in{t, next_corner(corner)};
+    const auto note = [&](HalfEdge e, VertexId end) {
+      if (!mesh().is_constrained(e) || state_.hard[end.index()] == 0) return;
+      if (!hard[0] || *hard[0] == end) hard[0] = end;
+      else hard[1] = end;
+    };
+    note(out, mesh().destination(out));
+    note(in, mesh().origin(in));
+  });
+  if (!hard[1]) return;
+  const Point a = mesh().point(*hard[0]), b = mesh().point(*hard[1]);
+  const double low = state_.tin.heights[hard[0]->index()],
+               high = state_.tin.heights[hard[1]->index()];
+  state_.tin.heights[v.index()] = low + (high - low) * part_of_way(a, b, mesh().point(v));
+  state_.hard[v.index()] = 1;
+}
+
+bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& changed) {
+  const Point p = space_.place(s);
+  if (const auto e = constrained_edge_at(t, p)) return cut_at(*e, p, changed);
+  if (!contains(mesh(), t, p)) {
+    const WayEnd end = straight_walk(mesh(), t, p);
+    if (end.barrier) return is_on(*end.barrier, p) && cut_at(*end.barrier, p, changed);
+    t = end.triangle;
+  }
+  return insert_inside(t, p, changed);
+}
+
+bool TerrainMesh::insert_inside(TriangleId t, Point p, std::vector<TriangleId>& changed) {
+  if (!cavity_.find(mesh(), t, p)) return false;
+  cavity_.fill(mesh(), p, {VertexOrigin::Kind::interior, 0});
+  changed.insert(changed.end(), cavity_.triangles().begin(), cavity_.triangles().end());
+  add_heights();
+  return true;
+}
+
+Removal TerrainMesh::remove(VertexId v, double limit) {
+  Removal removal = *remove_vertex(mesh(), v);
+  const auto take_place = [&](auto& of_vertices) {
+    of_vertices[v.index()] = of_vertices.back();
+    of_vertices.pop_back();
+  };
+  take_place(state_.tin.heights);
+  take_place(state_.kept);
+  take_place(state_.hard);
+  for (const auto& move : removal.moved_triangles) {
+    state_.worst[move.to.index()] = state_.worst[move.from.index()];
+  }
+  rescan(removal.changed);
+  choose_diagonals(removal.changed, limit);
+  return removal;
+}
+
+void TerrainMesh::renumber(std::size_t first) {
+  std::vector<std::uint32_t> order(first);
+  std::iota(order.begin(), order.end(), 0U);
+  for (const std::uint32_t i : spatial_order(mesh().points().subspan(first))) {
+    order.push_back(static_cast<std::uint32_t>(first) + i);
+  }
+  rearrange(state_.tin.heights, order);
+  rearrange(state_.kept, order);
+  rearrange(state_.hard, order);
+  mesh().renumber_vertices(inverse(order));
+  const std::vector<std::uint32_t> triangles = triangles_by_last_corner(mesh());
+  rearrange(state_.worst, triangles);
+  mesh().renumber_triangles(inverse(triangles));
+}
+
+std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) const {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (is_on({t, i}, p)) return HalfEdge{t, i};
+  }
+  return std::nullopt;
+}
+
+bool TerrainMesh::is_on(HalfEdge e, Point p) const {
+  return mesh().is_constrained(e) &&
+         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p);
+}
+
+// A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.
+bool TerrainMesh::cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed) {
+  if (!may_cut(e) || is_hard(e)) return false;
+  const VertexId from = mesh().origin(e);
+  const Point a = mesh().point(from), b = mesh().point(mesh().destination(e));
+  if (can_split_edge(mesh(), e, p) && (!mesh().is_boundary(e) || orient2d(a, b, p) >= 0)) {
+    const CurvePiece piece = piece_from(mesh(), e, from).piece;
+    const double t = piece.t_a + (piece.t_b - piece.t_a) * part_of_way(a, b, p);
+    const Insertion done = insert_on_edge(mesh(), e, p, origin_on(mesh(), e), t);
+    changed.insert(changed.end(), done.changed.begin(), done.changed.end());
+  } else {
+    const auto split = split_at_distance(mesh(), e, from, std::sqrt(squared_distance(a, p)), 0);
+    if (split.vertices.empty()) return false;
+    changed.insert(changed.end(), split.changed.begin(), split.changed.end());
+  }
+  add_heights();
+  return true;
+}
+
+}  // namespace lepp

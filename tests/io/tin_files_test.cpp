@@ -1,0 +1,320 @@
+#include "lepp/io/tin_files.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdlib>
+#include <cstring>
+
+#include "io/scratch_folder.hpp"
+#include "lepp/geometry/error.hpp"
+#include "lepp/io/poly.hpp"
+#include "support/hand_made.hpp"
+
+using namespace lepp;
+using test::contains;
+using test::ScratchFolder;
+
+namespace {
+
+// The square of hand_made.hpp with a height per corner.
+WorldTin small_tin() {
+  WorldTin tin;
+  tin.mesh = test::square();
+  tin.heights = {0, 1.5, -2, 0.1};
+  tin.title = "small";
+  return tin;
+}
+
+// A square with a square hole, and the same far from the origin: 8 triangles.
+WorldTin ring(Point corner = {0, 0}) {
+  std::vector<Point> points = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  for (Point& p : points) p = p + corner;
+  WorldTin tin;
+  tin.mesh = test::from_triangles(
+      points,
+      {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6}, {3, 7, 6}, {3, 0, 7}, {0, 4, 7}});
+  tin.heights.assign(8, 10);
+  tin.title = "ring";
+  return tin;
+}
+
+const char* const utm =
+    "PROJCS[\"WGS 84 / UTM zone 11N\",GEOGCS[\"WGS 84\",AUTHORITY[\"EPSG\",\"4326\"]],"
+    "AUTHORITY[\"EPSG\",\"32611\"]]";
+
+// Reads numbers from the bytes of a file.
+class Bytes {
+ public:
+  Bytes(std::string text, std::endian order) : text_(std::move(text)), order_(order) {}
+
+  template <class Number>
+  Number next() {
+    std::array<char, sizeof(Number)> bytes;
+    REQUIRE(at_ + bytes.size() <= text_.size());
+    std::memcpy(bytes.data(), text_.data() + at_, bytes.size());
+    if (order_ != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+    at_ += bytes.size();
+    return std::bit_cast<Number>(bytes);
+  }
+  std::string text(std::size_t n) {
+    REQUIRE(at_ + n <= text_.size());
+    at_ += n;
+    return text_.substr(at_ - n, n);
+  }
+  void go_to(std::size_t at) { at_ = at; }
+  bool at_end() const { return at_ == text_.size(); }
+
+ private:
+  std::string text_;
+  std::endian order_;
+  std::size_t at_ = 0;
+};
+
+// A record of a Fortran file, whose length stands before and after it.
+template <class Number>
+std::vector<Number> record(Bytes& bytes) {
+  const auto length = bytes.next<std::int32_t>();
+  std::vector<Number> numbers(static_cast<std::size_t>(length) / sizeof(Number));
+  for (Number& n : numbers) n = bytes.next<Number>();
+  CHECK(bytes.next<std::int32_t>() == length);
+  return numbers;
+}
+
+std::string text_record(Bytes& bytes) {
+  const auto characters = record<char>(bytes);
+  return {characters.begin(), characters.end()};
+}
+
+}  // namespace
+
+TEST_CASE("OBJ: vertices and triangles as text") {
+  const ScratchFolder folder;
+  write_obj(small_tin(), folder / "a.obj");
+  CHECK(folder.text("a.obj") ==
+        "# small\nv 0 0 0\nv 1 0 1.5\nv 1 1 -2\nv 0 1 0.1\nf 1 2 3\nf 1 3 4\n");
+}
+
+TEST_CASE("PLY: doubles, little-endian") {
+  const ScratchFolder folder;
+  write_ply(small_tin(), folder / "a.ply");
+  const std::string text = folder.text("a.ply");
+  const std::string end = "end_header\n";
+  CHECK(
+      text.starts_with("ply\nformat binary_little_endian 1.0\ncomment small\nelement vertex 4\n"));
+  Bytes bytes(text.substr(text.find(end) + end.size()), std::endian::little);
+  for (const double wanted : {0., 0., 0., 1., 0., 1.5, 1., 1., -2., 0., 1., 0.1}) {
+    CHECK(bytes.next<double>() == wanted);
+  }
+  for (const std::array<int, 3> wanted : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+    CHECK(bytes.next<std::uint8_t>() == 3);
+    for (const int v : wanted) CHECK(bytes.next<std::int32_t>() == v);
+  }
+  CHECK(bytes.at_end());
+}
+
+TEST_CASE("STL near the origin keeps its coordinates") {
+  const ScratchFolder folder;
+  write_stl(small_tin(), folder / "a.stl");
+  Bytes bytes(folder.text("a.stl"), std::endian::little);
+  CHECK(bytes.text(80).starts_with("lepp TIN; small "));
+  CHECK(bytes.next<std::uint32_t>() == 2);
+  const float nx = bytes.next<float>(), ny = bytes.next<float>(), nz = bytes.next<float>();
+  CHECK(nx * nx + ny * ny + nz * nz == doctest::Approx(1));
+  CHECK(nx * 1 + nz * 1.5 == doctest::Approx(0));  // at right angles to the edge 0-1
+  CHECK(nz > 0);
+  for (const float wanted : {0.f, 0.f, 0.f, 1.f, 0.f, 1.5f, 1.f, 1.f, -2.f}) {
+    CHECK(bytes.next<float>() == wanted);
+  }
+  CHECK(bytes.next<std::uint16_t>() == 0);
+}
+
+TEST_CASE("STL far from the origin is written relative to a corner that its header names") {
+  const ScratchFolder folder;
+  const WorldTin far = ring({500000.25, 4100000.75});
+  CHECK(offset_of_float_files(far) == Point{500000, 4100000});
+  CHECK(offset_of_float_files(ring()) == Point{0, 0});
+  write_stl(far, folder / "a.stl");
+  const std::string text = folder.text("a.stl");
+  CHECK(contains(text, "add 500000 to x, 4100000 to y"));
+  CHECK(text.size() == 84 + 8 * 50);
+  Bytes bytes(text, std::endian::little);
+  bytes.go_to(84 + 12);
+  CHECK(bytes.next<float>() == 0.25f);
+  CHECK(bytes.next<float>() == 0.75f);
+}
+
+TEST_CASE("STL refuses triangles that its floats cannot hold") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.mesh = test::two_triangles({0, 0}, {1e8, 0}, {1e8, 1e8}, {1e8 - 1, 1e8});
+  try {
+    write_stl(tin, folder / "a.stl");
+    FAIL("accepted");
+  } catch (const InputError& error) {
+    CHECK(contains(error.problem(), "32-bit"));
+  }
+  CHECK_FALSE(std::filesystem::exists(folder / "a.stl"));
+}
+
+TEST_CASE("ADCIRC: depths are positive down, the outer loop is closed, the island is clockwise") {
+  const ScratchFolder folder;
+  write_adcirc(small_tin(), folder / "a.14");
+  CHECK(folder.text("a.14") ==
+        "small\n2 4\n1 0 0 0\n2 1 0 -1.5\n3 1 1 2\n4 0 1 -0.1\n1 3 1 2 3\n2 3 1 3 4\n"
+        "0 = number of open boundaries\n0 = total number of open boundary nodes\n"
+        "1 = number of land boundaries\n5 = total number of land boundary nodes\n"
+        "5 0 = number of nodes and type of land boundary 1\n2\n3\n4\n1\n2\n");
+  write_adcirc(ring(), folder / "b.gr3");
+  const std::string text = folder.text("b.gr3");
+  CHECK(contains(text, "2 = number of land boundaries\n9 = total"));
+  CHECK(contains(text, "5 0 = number of nodes and type of land boundary 1\n1\n2\n3\n4\n1\n"));
+  CHECK(contains(text, "4 1 = number of nodes and type of land boundary 2\n6\n5\n8\n7\n"));
+}
+
+TEST_CASE("2DM: triangles with their region, then nodes") {
+  const ScratchFolder folder;
+  write_2dm(small_tin(), folder / "a.2dm");
+  CHECK(folder.text("a.2dm") ==
+        "MESH2D\nE3T 1 1 2 3 1\nE3T 2 1 3 4 1\nND 1 0 0 0\nND 2 1 0 1.5\nND 3 1 1 -2\nND 4 0 1 "
+        "0.1\n");
+}
+
+TEST_CASE("Selafin: big-endian records, in doubles as they are") {
+  const ScratchFolder folder;
+  write_selafin(ring({500000.25, 4100000.75}), folder / "a.slf");
+  Bytes bytes(folder.text("a.slf"), std::endian::big);
+  CHECK(text_record(bytes) == "ring" + std::string(68, ' ') + "SERAFIND");
+  CHECK(record<std::int32_t>(bytes) == std::vector{1, 0});
+  CHECK(text_record(bytes) == "BOTTOM          M               ");
+  CHECK(record<std::int32_t>(bytes) == std::vector{1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  CHECK(record<std::int32_t>(bytes) == std::vector{8, 8, 3, 1});
+  const auto corners = record<std::int32_t>(bytes);
+  CHECK(corners.size() == 24);
+  CHECK(std::vector(corners.begin(), corners.begin() + 6) == std::vector{1, 2, 5, 2, 6, 5});
+  CHECK(record<std::int32_t>(bytes) == std::vector{1, 2, 3, 4, 6, 5, 8, 7});
+  CHECK(record<double>(bytes)[1] == 500003.25);
+  CHECK(record<double>(bytes)[2] == 4100003.75);
+  CHECK(record<double>(bytes) == std::vector<double>{0});
+  CHECK(record<double>(bytes) == std::vector<double>(8, 10));
+  CHECK(bytes.at_end());
+}
+
+TEST_CASE("Selafin in floats stores the corner that it subtracts") {
+  const ScratchFolder folder;
+  write_selafin(ring({500000.25, 4100000.75}), folder / "a.slf", SelafinPrecision::floats);
+  Bytes bytes(folder.text("a.slf"), std::endian::big);
+  CHECK(text_record(bytes).ends_with("SERAFIN "));
+  for (int i = 0; i < 2; ++i) record<char>(bytes);
+  CHECK(record<std::int32_t>(bytes) == std::vector{1, 0, 500000, 4100000, 0, 0, 0, 0, 0, 0});
+  for (int i = 0; i < 3; ++i) record<std::int32_t>(bytes);
+  CHECK(record<float>(bytes)[1] == 3.25f);
+  CHECK(record<float>(bytes)[2] == 3.75f);
+}
+
+TEST_CASE("netCDF: header, offsets and values of a small mesh") {
+  const ScratchFolder folder;
+  write_ugrid(small_tin(), folder / "a.nc");
+  const std::string text = folder.text("a.nc");
+  CHECK(text.starts_with(std::string("CDF\x02\0\0\0\0\0\0\0\x0A\0\0\0\x05", 16)));
+  // The last values are the corners of the triangles, before them the five edges.
+  Bytes bytes(text, std::endian::big);
+  bytes.go_to(text.size() - 24);
+  for (const int v : {1, 2, 3, 1, 3, 4}) CHECK(bytes.next<std::int32_t>() == v);
+  bytes.go_to(text.size() - 24 - 40 - 32);
+  for (const double h : {0., 1.5, -2., 0.1}) CHECK(bytes.next<double>() == h);
+  // The offset of the last variable stands at the end of the header and tells where it starts.
+  const std::size_t values = text.size() - 24 - 40 - 3 * 32 - 4;
+  bytes.go_to(values - 8);
+  CHECK(bytes.next<std::uint64_t>() == text.size() - 24);
+  CHECK_FALSE(contains(text, "grid_mapping"));
+}
+
+TEST_CASE("netCDF carries the coordinate reference system, degrees by their names") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.crs = utm;
+  write_ugrid(tin, folder / "a.nc");
+  const std::string projected = folder.text("a.nc");
+  CHECK(contains(projected, utm));
+  CHECK(contains(projected, "projection_x_coordinate"));
+  CHECK(contains(projected, std::string("epsg\0\0\0\x04\0\0\0\x01\0\0\x7F\x63", 16)));  // 32611
+  tin.degrees = true;
+  write_ugrid(tin, folder / "b.nc");
+  CHECK(contains(folder.text("b.nc"), "latitude_longitude"));
+  CHECK(contains(folder.text("b.nc"), "degrees_north"));
+}
+
+TEST_CASE("ncdump reads what we write, where it is installed") {
+  if (std::system("command -v ncdump > /dev/null") != 0) return;
+  const ScratchFolder folder;
+  WorldTin tin = ring();
+  tin.crs = utm;
+  write_ugrid(tin, folder / "a.nc");
+  const std::string out = (folder / "a.cdl").string();
+  REQUIRE(std::system(("ncdump '" + (folder / "a.nc").string() + "' > '" + out + "'").c_str()) ==
+          0);
+  const std::string text = folder.text("a.cdl");
+  CHECK(contains(text, "mesh2d_nNodes = 8 ;"));
+  CHECK(contains(text, "mesh2d_nEdges = 16 ;"));
+  CHECK(contains(text, "mesh2d_node_x = 0, 3, 3, 0, 1, 2, 2, 1 ;"));
+  CHECK(contains(text, "projected_coordinate_system = 32611 ;"));
+}
+
+TEST_CASE("msh, vtu and ele carry heights") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  write_tin(tin, folder / "a.msh");
+  CHECK(contains(folder.text("a.msh"), "\n1 0 1.5\n"));
+  CHECK(contains(folder.text("a.msh"), "0 0 -2 1 1 1.5 "));  // the box of the surface
+  write_tin(tin, folder / "b.msh", {.msh = MshFormat::msh22});
+  CHECK(contains(folder.text("b.msh"), "\n2 1 0 1.5\n"));
+  write_tin(tin, folder / "a.vtu");
+  CHECK(contains(folder.text("a.vtu"), "\n1 0 1.5\n"));
+  CHECK(contains(folder.text("a.vtu"), "Name=\"height\" format=\"ascii\">\n0\n1.5\n-2\n0.1\n"));
+  write_tin(tin, folder / "a.ele");
+  CHECK(folder.text("a.node") == "4 2 1 0\n0 0 0 0\n1 1 0 1.5\n2 1 1 -2\n3 0 1 0.1\n");
+  CHECK(folder.text("a.ele") == "2 3 0\n0 0 1 2\n1 0 2 3\n");
+  CHECK(mesh_from_triangles(read_ele(folder / "a.ele")).mesh.triangle_count() == 2);
+}
+
+TEST_CASE("the name says the format; the reference system goes beside where it has no place") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.crs = utm;
+  for (const char* name : {"a.obj", "b.ply", "c.stl", "d.14", "e.grd", "f.gr3", "g.2dm", "h.slf",
+                           "i.nc", "j.msh", "k.vtu", "l.ele"}) {
+    CAPTURE(name);
+    CHECK(is_tin_file(name));
+    write_tin(tin, folder / name);
+    for (const auto& file : tin_files_of(folder / name, true)) {
+      CHECK(std::filesystem::exists(file));
+      std::filesystem::remove(file);
+    }
+    CHECK(std::filesystem::is_empty(folder.path()));
+  }
+  CHECK_FALSE(is_tin_file("a.tif"));
+  CHECK(contains(tin_file_kinds(), ".obj, .ply"));
+  CHECK(contains(tin_file_kinds(), " or .ele"));
+}
+
+TEST_CASE("a TIN in the world: rows go south, and lines of grid space north") {
+  HeightGrid grid;
+  grid.columns = 3;
+  grid.rows = 2;
+  grid.heights = {1, 2, 3, 4, 5, 6};
+  grid.origin = {100, 50};
+  grid.step_x = 10;
+  grid.step_y = -20;
+  grid.cell_width = 10;
+  grid.cell_height = 20;
+  grid.source = "folder/dem.asc";
+  Tin tin{test::from_triangles({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}}),
+          {4, 6, 3, 1}};
+  const WorldTin world = to_world(tin, grid);
+  CHECK(world.mesh.point(VertexId(0U)) == Point{100, 30});
+  CHECK(world.mesh.point(VertexId(2U)) == Point{120, 50});
+  CHECK(world.title == "dem.asc");
+  grid.step_y = 20;
+  CHECK(to_world(tin, grid).mesh.point(VertexId(0U)) == Point{100, 50});
+}

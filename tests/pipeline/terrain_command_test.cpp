@@ -1,0 +1,373 @@
+// lepp terrain: what users type, what comes out, statuses.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "lepp/io/height_grid_read.hpp"
+#include "pipeline/program.hpp"
+#include "support/real_inputs.hpp"
+
+using namespace lepp;
+using namespace lepp::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string hill = quoted(fs::path(LEPP_MESHES) / "terrain" / "hill.asc");
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+using Place = std::array<double, 3>;
+
+// A TIN as its .obj file has it.
+struct ObjTin {
+  std::vector<Place> vertices;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+ObjTin read_obj(const fs::path& file) {
+  std::ifstream in(file);
+  ObjTin tin;
+  for (std::string kind; in >> kind;) {
+    if (kind == "v") {
+      auto& [x, y, z] = tin.vertices.emplace_back();
+      in >> x >> y >> z;
+    } else if (kind == "f") {
+      auto& [a, b, c] = tin.triangles.emplace_back();
+      in >> a >> b >> c;
+    } else {
+      std::getline(in, kind);
+    }
+  }
+  return tin;
+}
+
+struct Found {
+  double error = 0;
+  std::size_t outside = 0, covered = 0;
+};
+
+// The largest error, sample by sample and triangle by triangle, in world coordinates.
+Found measured(const ObjTin& tin, const HeightGrid& grid) {
+  Found found;
+  for (std::uint32_t row = 0; row < grid.rows; ++row) {
+    for (std::uint32_t column = 0; column < grid.columns; ++column) {
+      const Point p{grid.origin.x + column * grid.step_x, grid.origin.y + row * grid.step_y};
+      bool is_inside = false;
+      for (const auto& [i, j, k] : tin.triangles) {
+        const Place &a = tin.vertices[i - 1], &b = tin.vertices[j - 1], &c = tin.vertices[k - 1];
+        const auto area = [](const Place& u, const Place& v, double x, double y) {
+          return (v[0] - u[0]) * (y - u[1]) - (v[1] - u[1]) * (x - u[0]);
+        };
+        const double whole = area(a, b, c[0], c[1]);
+        const double wa = area(b, c, p.x, p.y) / whole, wb = area(c, a, p.x, p.y) / whole;
+        if (std::min({wa, wb, 1 - wa - wb}) < -1e-9) continue;
+        is_inside = true;
+        if (!grid.has_data(column, row)) break;
+        const double height = wa * a[2] + wb * b[2] + (1 - wa - wb) * c[2];
+        found.error = std::max(found.error, std::abs(height - grid.height(column, row)));
+      }
+      if (grid.has_data(column, row) && !is_inside) ++found.outside;
+      if (!grid.has_data(column, row) && is_inside) ++found.covered;
+    }
+  }
+  return found;
+}
+
+HeightGrid hill_grid() { return read_height_grid(fs::path(LEPP_MESHES) / "terrain" / "hill.asc"); }
+
+// The vertices with x or y of a place.
+std::set<Place> on_line(const ObjTin& tin, std::size_t axis, double at) {
+  std::set<Place> places;
+  for (const Place& v : tin.vertices) {
+    if (v[axis] == at) places.insert(v);
+  }
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("lepp terrain: what is missing or does not go together is a usage error") {
+  const ScratchFolder folder;
+  const std::pair<const char*, const char*> cases[] = {
+      {"-o x.obj", "--max-error E, --max-vertices N, or both"},
+      {"-o x.tif --max-error 1", "name it .obj"},
+      {"-o x.obj --max-error many", "give a height from 0 on, or a percentage"},
+      {"-o x.obj --max-error -1", "give a height from 0 on"},
+      {"-o x.obj --max-error 1 --by foo", "'foo' is none of lepp, greedy"},
+      {"-o x.obj --max-error 1 --min-angle 40", "from 0 to 34"},
+      {"-o x.obj --max-error 1 --tiles 2", "ROWSxCOLUMNS"},
+      {"-o x.obj --max-error 1 --tiles 0x2", "ROWSxCOLUMNS"},
+      {"-o x.obj --max-vertices 100 --tiles 2x2", "needs --max-error"},
+      {"-o x.obj --max-error 1 --tiles 2x2 --nonobtuse", "borders of tiles"},
+      {"-o x.obj --max-error 1 --by greedy --nonobtuse", "--by lepp only"},
+      {"-o x.obj --max-error 1 --levels 5,10", "must be errors that descend"},
+      {"-o x.obj --max-error 5 --levels 2", "all above --max-error"},
+      {"-o x.obj --max-error 1 --levels 5 --nonobtuse", "run without levels"},
+      {"-o x.obj --max-error 1 --border-error 2", "above --max-error"},
+      {"-o x.obj --max-error 1 --picture x.gif", "name it .svg or .png"},
+      {"-o x.obj --max-error 1 --cell 10", "--cell"},
+      {"-o x.obj --max-error 1 --format vtk", "--format"}};
+  for (const auto& [options, message] : cases) {
+    CAPTURE(options);
+    const Outcome outcome = run(folder.path(), "terrain " + hill + " " + options);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == 1);
+    CHECK(has(outcome.err, message));
+    CHECK(files_in(folder.path()).empty());
+  }
+  CHECK(has(run(folder.path(), "terrain --help").out, "lepp terrain dem.tif -o dem.ply"));
+}
+
+TEST_CASE("lepp terrain keeps the error that it says, covers all data and nothing else") {
+  const ScratchFolder folder;
+  const HeightGrid grid = hill_grid();
+  for (const std::string by : {"lepp", "greedy"}) {
+    for (const double error : {20.0, 5.0, 1.0, 0.0}) {
+      CAPTURE(by);
+      CAPTURE(error);
+      const Outcome made =
+          run(folder.path(), "terrain " + hill + " -o t.obj --force --json - --by " + by +
+                                 " --max-error " + std::to_string(error));
+      REQUIRE(made.status == 0);
+      const Json report = Json::parse(made.out);
+      const Found found = measured(read_obj(folder / "t.obj"), grid);
+      CHECK(found.error <= error + 1e-9);
+      CHECK(report["error"]["max"] == doctest::Approx(found.error).epsilon(1e-9));
+      CHECK(found.outside == 0);
+      CHECK(found.covered == 0);
+      CHECK(report["error"]["samples"] == 1608);
+      CHECK(report["error_kept"] == true);
+      CHECK(report["valid"] == true);
+      if (by == "lepp") CHECK(report["min_angle_deg"].get<double>() >= 30 - 1e-9);
+      const std::uint32_t column = report["error"]["column"], row = report["error"]["row"];
+      CHECK(grid.has_data(column, row));
+    }
+  }
+}
+
+TEST_CASE("a relative error is one of the range, and the report says what was asked for") {
+  const ScratchFolder folder;
+  const Outcome made =
+      run(folder.path(), "terrain " + hill + " -o t.ply --max-error 2% --json r.json");
+  CHECK(made.status == 0);
+  CHECK(has(made.out, "largest error"));
+  CHECK(has(made.out, "(asked for: 4.828)"));
+  const Json report = Json::parse(content_of(folder / "r.json"));
+  CHECK(report["asked_for"]["max_error"] == doctest::Approx(0.02 * (729.6 - 488.2)).epsilon(1e-6));
+  CHECK(report["asked_for"]["by"] == "lepp");
+  CHECK(report["columns"] == 60);
+  CHECK(report["samples"] == 1608);
+  CHECK(report["output"] == "t.ply");
+  std::size_t triangles = 0;
+  for (const std::size_t n : report["smallest_angles"]) triangles += n;
+  CHECK(report["triangles"] == triangles);
+  for (const char* key : {"read", "domain", "simplify", "measure", "check", "write", "total"}) {
+    CHECK(report["seconds"].contains(key));
+  }
+}
+
+TEST_CASE("every format is written, and no file is overwritten without --force") {
+  const ScratchFolder folder;
+  for (const std::string name : {"a.obj", "b.ply", "c.stl", "d.14", "e.grd", "f.gr3", "g.2dm",
+                                 "h.slf", "i.nc", "j.msh", "k.vtu", "l.ele"}) {
+    CAPTURE(name);
+    const std::string command = "terrain " + hill + " --max-error 10 -q -o " + name;
+    CHECK(run(folder.path(), command).status == 0);
+    CHECK(fs::file_size(folder / name) > 500);
+    const Outcome again = run(folder.path(), command);
+    CHECK(again.status == 5);
+    CHECK(has(again.err, "exists already"));
+  }
+  CHECK(run(folder.path(), "terrain " + hill + " --max-error 9 -q --force -o a.obj").status == 0);
+  CHECK(run(folder.path(), "check l.ele --min-angle 30 --delaunay -q").status == 0);
+  const auto taken = folder.put("taken.png", "x");
+  CHECK(run(folder.path(), "terrain " + hill + " --max-error 9 -o n.obj --picture taken.png")
+            .status == 5);
+  CHECK(folder.text("taken.png") == "x");
+}
+
+TEST_CASE("a number of vertices that is too small for the error is status 3 and writes nothing") {
+  const ScratchFolder folder;
+  const std::string command = "terrain " + hill + " -o t.obj --max-vertices 120 ";
+  CHECK(run(folder.path(), command + "--max-error 0.5 -q").status == 3);
+  CHECK(files_in(folder.path()).empty());
+  CHECK(run(folder.path(), command + "--max-error 0.5 -q --allow-unfinished").status == 3);
+  CHECK(read_obj(folder / "t.obj").vertices.size() <= 120);
+}
+
+TEST_CASE("levels are nested, each with its error, each in a file and a picture of its own") {
+  const ScratchFolder folder;
+  const HeightGrid grid = hill_grid();
+  for (const std::string by : {"lepp", "greedy"}) {
+    CAPTURE(by);
+    const Outcome made =
+        run(folder.path(), "terrain " + hill +
+                               " -o t.obj --force --max-error 2 --levels 20,8 "
+                               "--picture t.png --picture-width 60 --json - --by " +
+                               by);
+    REQUIRE(made.status == 0);
+    const Json report = Json::parse(made.out);
+    REQUIRE(report["levels"].size() == 2);
+    const ObjTin levels[] = {read_obj(folder / "t.level1.obj"), read_obj(folder / "t.level2.obj"),
+                             read_obj(folder / "t.obj")};
+    const double errors[] = {20, 8, 2};
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(measured(levels[i], grid).error <= errors[i] + 1e-9);
+      if (i < 2) CHECK(report["levels"][i]["vertices"] == levels[i].vertices.size());
+      if (i == 0) continue;
+      const std::set<Place> finer(levels[i].vertices.begin(), levels[i].vertices.end());
+      for (const Place& v : levels[i - 1].vertices) CHECK(finer.contains(v));
+    }
+    for (const char* picture : {"t.png", "t.level1.png", "t.level2.png"}) {
+      CHECK(content_of(folder / picture).starts_with("\x89PNG"));
+    }
+  }
+}
+
+TEST_CASE("tiles share the vertices of their borders, and join without a gap") {
+  const ScratchFolder folder;
+  const HeightGrid grid = hill_grid();
+  for (const std::string by : {"lepp", "greedy"}) {
+    CAPTURE(by);
+    const Outcome made =
+        run(folder.path(), "terrain " + hill +
+                               " -o t.obj --force --max-error 3 "
+                               "--tiles 2x2 --tile-output both --levels 12 --json - --by " +
+                               by);
+    REQUIRE(made.status == 0);
+    const Json report = Json::parse(made.out);
+    CHECK(report["tiles"].size() == 4);
+    CHECK(report["valid"] == true);
+    const double middle = grid.origin.x + 29 * grid.step_x;  // 59 columns of cells in two
+    for (const std::string row : {"0", "1"}) {
+      const auto west = on_line(read_obj(folder / ("t_" + row + "_0.obj")), 0, middle);
+      CHECK(west.size() > 5);
+      CHECK(west == on_line(read_obj(folder / ("t_" + row + "_1.obj")), 0, middle));
+      CHECK(west == on_line(read_obj(folder / ("t_" + row + "_1.level1.obj")), 0, middle));
+    }
+    const ObjTin joined = read_obj(folder / "t.obj");
+    const Found found = measured(joined, grid);
+    CHECK(found.error <= 3 + 1e-9);
+    CHECK(found.outside == 0);
+    CHECK(found.covered == 0);
+    CHECK(report["vertices"] == joined.vertices.size());
+    CHECK(std::set<Place>(joined.vertices.begin(), joined.vertices.end()).size() ==
+          joined.vertices.size());
+  }
+}
+
+TEST_CASE("two grids cut apart agree on the line they share, whatever lies beside it") {
+  const ScratchFolder folder;
+  const auto cut = [&](const std::string& name, int first, int last, double slope) {
+    std::ofstream out(folder / name);
+    out << "ncols " << last - first + 1 << "\nnrows 30\nxllcenter " << 100 + 10 * first
+        << "\nyllcenter 50\ncellsize 10\n";
+    for (int row = 0; row < 30; ++row) {
+      for (int c = first; c <= last; ++c) {
+        const double beside = slope * std::abs(c - 20) * ((row * 7 + c * 3) % 5);
+        out << std::round(100 * std::sin(0.3 * row) + beside) << ' ';
+      }
+      out << '\n';
+    }
+  };
+  cut("west.asc", 0, 20, 4);
+  cut("east.asc", 20, 45, 0.1);
+  for (const std::string by : {"lepp", "greedy"}) {
+    for (const std::string side : {"west", "east"}) {
+      const Outcome made =
+          run(folder.path(), "terrain " + side + ".asc -o " + side +
+                                 ".obj --force --max-error 6 --border-error 6 -q --by " + by);
+      CHECK(made.status == 0);
+    }
+    const auto shared = on_line(read_obj(folder / "west.obj"), 0, 300);
+    CHECK(shared.size() > 8);
+    CHECK(shared == on_line(read_obj(folder / "east.obj"), 0, 300));
+  }
+}
+
+TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
+  const ScratchFolder folder;
+  const Outcome made =
+      run(folder.path(), "terrain " + hill + " -o t.msh --max-error 3 --nonobtuse --json -");
+  REQUIRE(made.status == 0);
+  const Json report = Json::parse(made.out);
+  CHECK(report["admissible"] == true);
+  CHECK(report["obtuse_constrained"] == 0);
+  CHECK(report["error"]["max"] <= 3 + 1e-9);
+  const Outcome checked =
+      run(folder.path(), "check t.msh --nonobtuse --admissible --delaunay --min-angle 30");
+  CHECK(checked.status == 0);
+  CHECK(has(checked.out, "read in plan, without its heights"));
+}
+
+TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") {
+  const ScratchFolder folder;
+  folder.put("clip.geojson",
+             R"({"type": "Polygon", "coordinates": [[[431400, 5103600], [432300, 5103600],
+                [432300, 5104100], [431400, 5104100], [431400, 5103600]]]})");
+  folder.put("dyke.geojson", R"({"type": "LineString", "coordinates":
+                [[431500, 5103700, 800], [432200, 5104000, 800]]})");
+  const Outcome made = run(folder.path(), "terrain " + hill +
+                                              " -o t.obj --max-error 5 -q --clip "
+                                              "clip.geojson --soft-breaklines dyke.geojson");
+  CHECK(made.status == 0);
+  const ObjTin soft = read_obj(folder / "t.obj");
+  for (const Place& v : soft.vertices) {
+    CHECK(v[0] >= 431400);
+    CHECK(v[1] <= 5104100);
+    CHECK(v[2] < 800);
+  }
+  const Outcome hard =
+      run(folder.path(), "terrain " + hill +
+                             " -o h.obj --max-error 5 --clip "
+                             "clip.geojson --breaklines dyke.geojson --allow-unfinished");
+  CAPTURE(hard.out);
+  CHECK((hard.status == 0 || hard.status == 3));
+  const ObjTin dyke = read_obj(folder / "h.obj");
+  CHECK(std::ranges::count_if(dyke.vertices, [](const Place& v) { return v[2] == 800; }) >= 2);
+}
+
+TEST_CASE("grids that cannot be meshed are refused as their folder says") {
+  const std::pair<const char*, int> cases[] = {
+      {"d01_all_nodata.asc", 2},          {"d05_ragged_row.asc", 2},
+      {"d07_cellsize_negative.asc", 2},   {"d09_dims_1e5x1e5.asc", 2},
+      {"d11_utm_offset_llcenter.asc", 0}, {"d13_dx_dy.asc", 0},
+      {"d15_too_many_values.asc", 2},     {"d17_negative_dims.asc", 2}};
+  for (const auto& [name, status] : cases) {
+    const auto file = real_input(std::string("nasty/") + name);
+    if (!file) continue;
+    const ScratchFolder folder;
+    CAPTURE(name);
+    const Outcome made =
+        run(folder.path(), "terrain " + quoted(*file) + " -o t.obj --max-error 1%");
+    CAPTURE(made.err);
+    CHECK(made.status == status);
+    if (status == 0)
+      CHECK(measured(read_obj(folder / "t.obj"), read_height_grid(*file)).error < 10);
+  }
+}
+
+TEST_CASE("the DEM of the paper: errors of one nested sequence at 4, 43, 275 and 937 vertices") {
+  const auto file = real_input("dem/ashby.stm");
+  if (!file) return;
+  const ScratchFolder folder;
+  const Outcome made = run(folder.path(), "terrain " + quoted(*file) +
+                                              " -o t.ele --max-vertices 937 "
+                                              "--level-vertices 4,43,275 --json - -q");
+  CHECK(made.status == 0);
+  const Json report = Json::parse(made.out);
+  const double published[] = {372.65, 135.7, 59.0, 31.1};
+  const std::size_t counts[] = {4, 43, 275, 937};
+  REQUIRE(report["levels"].size() == 3);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Json& level = i < 3 ? report["levels"][i] : report;
+    CHECK(level["vertices"] <= counts[i]);
+    CHECK(level["error"]["max"] <= published[i] + 0.05);
+  }
+}

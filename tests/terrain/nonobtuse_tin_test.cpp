@@ -1,0 +1,99 @@
+#include "lepp/terrain/nonobtuse_tin.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lepp/terrain/simplify.hpp"
+#include "lepp/triangulation/quality.hpp"
+#include "lepp/triangulation/validate.hpp"
+#include "lepp/voronoi/admissible.hpp"
+#include "terrain/hills.hpp"
+
+using namespace lepp;
+using namespace lepp::test;
+
+namespace {
+
+Tin simplified(const HeightGrid& grid, const TerrainDomain& domain, double error) {
+  SimplifyReport report;
+  SimplifyOptions options;
+  options.max_error = error;
+  options.by = SimplifyBy::greedy;  // leaves a lot to do
+  return simplify(grid, domain, options, report);
+}
+
+}  // namespace
+
+TEST_CASE("a TIN becomes nonobtuse and admissible in world coordinates, and keeps its error") {
+  HeightGrid grid = rough(50, 40, 11);
+  for (std::size_t i = 0; i < grid.size(); ++i) {  // an irregular outline
+    const double x = double(i % 50) - 24, y = double(i / 50) - 19;
+    if (x * x + 1.5 * y * y > 500) grid.heights[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  grid.origin = {500000.1, 4649000.7};  // nothing is exact in the world
+  grid.step_x = 6.7218;
+  grid.step_y = -6.0591;
+  grid.cell_width = grid.step_x;
+  grid.cell_height = -grid.step_y;
+  const TerrainDomain domain = terrain_domain(grid);
+  const double error = 8;
+  NonobtuseTinOptions options;
+  options.max_error = error;
+  Tin before = simplified(grid, domain, error);
+  const std::size_t vertices = before.mesh.vertex_count();
+  const NonobtuseTin made = make_nonobtuse(grid, domain, std::move(before), options);
+  CHECK(made.goal_reached);
+  CHECK(made.judged_in_world);
+  MeshClaims claims;
+  claims.nonobtuse = true;
+  claims.min_angle_deg = 30;
+  claims.unfinished = made.unfinished;
+  CHECK(validate(made.in_world, claims).summary() == "valid");
+  CHECK(certify(made.in_world).admissible);
+  const TerrainError found = measure_error(grid, made.tin);
+  CHECK(found.max <= error + 1e-9);
+  CHECK(found.lost == 0);
+  CHECK(found.covered == 0);
+  CHECK(made.tin.mesh.vertex_count() > vertices);
+  CHECK(made.tin.heights.size() == made.in_world.vertex_count());
+}
+
+TEST_CASE("in degrees, angles are judged where the cells have their true proportions") {
+  HeightGrid grid = hills(30, 30);
+  grid.degrees = true;
+  grid.step_x = 0.001;
+  grid.step_y = -0.001;
+  grid.cell_width = 60;
+  grid.cell_height = 110;
+  const TerrainDomain domain = terrain_domain(grid);
+  NonobtuseTinOptions options;
+  options.max_error = 5;
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 5), options);
+  CHECK(made.goal_reached);
+  CHECK_FALSE(made.judged_in_world);
+  CHECK(certify(made.tin.mesh).admissible);
+  CHECK(made.in_world.point(VertexId(0U)) == grid.to_world(made.tin.mesh.point(VertexId(0U))));
+}
+
+TEST_CASE("vertices that cut a line with heights of its own lie on it") {
+  const HeightGrid grid = hills(30, 30);
+  DomainOptions lines;
+  const double ridge = 500;
+  lines.breaklines.push_back(
+      {{grid.to_world({4, 5}), grid.to_world({25, 21})}, {ridge, ridge}, "dyke"});
+  const TerrainDomain domain = terrain_domain(grid, lines);
+  NonobtuseTinOptions options;
+  options.keep_error = false;  // a dyke is in no error bound
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 20), options);
+  std::size_t on_line = 0;
+  for (std::size_t i = 0; i < made.tin.mesh.vertex_count(); ++i) {
+    const Point p = made.tin.mesh.point(VertexId(i));
+    const double distance = std::abs(cross(Point{21, 16}, p - Point{4, 5})) / std::hypot(21, 16);
+    if (distance > 1e-6 || p.x < 4 - 1e-6 || p.x > 25 + 1e-6) continue;
+    ++on_line;
+    CHECK(made.tin.heights[i] == doctest::Approx(ridge));
+  }
+  CHECK(on_line > 2);
+}
