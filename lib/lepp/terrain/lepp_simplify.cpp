@@ -12,6 +12,9 @@ namespace {
 // A round of clean-up that takes less than this part of the vertices away is the last.
 constexpr std::size_t next_to_nothing = 200;
 constexpr int most_rounds = 12;
+// Of Effort::normal: a small TIN is cleaned up several times in no time.
+constexpr int some_rounds = 3;
+constexpr std::size_t small = 10000;
 
 class LeppSimplification {
  public:
@@ -38,14 +41,19 @@ class LeppSimplification {
   void reach_level() {
     loop_.run(levels_.error(), levels_.vertices());
     if (options_.effort == Effort::fast) return;
-    const bool limited = terrain_.mesh().vertex_count() + 16 >= levels_.vertices();
-    const int rounds = limited || options_.effort == Effort::best ? most_rounds : 1;
-    for (int round = 0; round < rounds && !loop_.cancelled(); ++round) {
+    for (int round = 0; round < rounds() && !loop_.cancelled(); ++round) {
       const std::size_t before = terrain_.mesh().vertex_count();
       const std::size_t gone = clean_up(std::max(levels_.error(), loop_.largest_error()));
       loop_.run(levels_.error(), levels_.vertices());
       if (gone * next_to_nothing < before) return;
     }
+  }
+
+  int rounds() const {
+    const std::size_t vertices = terrain_.mesh().vertex_count();
+    const bool limited = vertices + 16 >= levels_.vertices();
+    if (limited || options_.effort == Effort::best) return most_rounds;
+    return vertices <= small ? some_rounds : 1;
   }
 
   std::size_t clean_up(double error) {

@@ -7,6 +7,7 @@
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/remove_vertex.hpp"
+#include "lepp/triangulation/sharp_vertex.hpp"
 
 namespace lepp {
 
@@ -25,6 +26,7 @@ TinCleanUp::TinCleanUp(TerrainMesh& terrain, double min_angle_deg, double error,
       error_(error),
       frozen_(frozen),
       go_on_(std::move(go_on)),
+      any_sharp_(segments_meet_sharply(mesh_)),
       place_(std::max(min_angle_deg, 1.0)),
       needed_(mesh_.vertex_count(), 0),
       single_(mesh_.vertex_count(), 0) {}
@@ -62,7 +64,8 @@ bool TinCleanUp::collect_link(VertexId v) {
     return simple && corners.size() <= most_corners;
   });
   if (!simple || corners.size() < 3 || corners.size() > most_corners) return false;
-  return mesh_.origin_of(v).kind == VertexOrigin::Kind::interior || !is_side_encroached();
+  const bool is_inside = mesh_.origin_of(v).kind == VertexOrigin::Kind::interior;
+  return is_inside || !any_sharp_ || !is_side_encroached();
 }
 
 // True if a corner would see the side that v cuts under more than 90 degrees.

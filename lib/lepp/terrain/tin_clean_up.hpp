@@ -56,6 +56,7 @@ class TinCleanUp {
   double error_;
   std::size_t frozen_;
   std::function<bool()> go_on_;
+  bool any_sharp_;  // then encroached sides are cut again
   StarFilling filling_;
   std::array<TerrainCorner, 2> suspects_;  // the vertices that are to go
   FeasiblePlace place_;
