@@ -45,7 +45,12 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
   lepp/terrain/grid_part.hpp
   lepp/terrain/height_grid.hpp
+  lepp/terrain/nonobtuse_tin.hpp
+  lepp/terrain/simplify.hpp
   lepp/terrain/terrain_domain.hpp
+  lepp/terrain/tile_border.hpp
+  lepp/terrain/tin.hpp
+  lepp/terrain/world_tin.hpp
   lepp/voronoi/admissible.hpp
   lepp/voronoi/voronoi_boxes.hpp)
 target_sources(lepp_io PUBLIC FILE_SET HEADERS
@@ -54,12 +59,15 @@ target_sources(lepp_io PUBLIC FILE_SET HEADERS
   lepp/io/geo.hpp
   lepp/io/gmsh_import.hpp
   lepp/io/height_grid_read.hpp
+  lepp/io/hillshade.hpp
   lepp/io/msh.hpp
   lepp/io/picture.hpp
   lepp/io/plot.hpp
   lepp/io/poly.hpp
   lepp/io/report.hpp
   lepp/io/terrain_lines.hpp
+  lepp/io/terrain_report.hpp
+  lepp/io/tin_files.hpp
   lepp/io/vtu.hpp)
 
 # Shared libraries are found from where the program and the libraries themselves are.

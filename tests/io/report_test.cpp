@@ -54,7 +54,8 @@ TEST_CASE("the JSON report has every figure under its name") {
                                       {"size_floor", 0},
                                       {"budget", 2},
                                       {"cancelled", 0},
-                                      {"method", 0}});
+                                      {"method", 0},
+                                      {"kept_border", 0}});
   CHECK(report["obtuse_constrained"] == 2);
   CHECK(report["non_delaunay_edges"] == 3);
   CHECK(report["tolerant"]["obtuse_constrained"] == 1);

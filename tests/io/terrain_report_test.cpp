@@ -1,0 +1,75 @@
+#include "lepp/io/terrain_report.hpp"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/scratch_folder.hpp"
+#include "support/hand_made.hpp"
+
+using namespace lepp;
+using test::contains;
+
+namespace {
+
+TerrainReport sample() {
+  TerrainReport report;
+  report.input = "dem.asc";
+  report.columns = 60;
+  report.rows = 40;
+  report.samples = 1608;
+  report.lowest = 488.2;
+  report.highest = 729.6;
+  report.by = "lepp";
+  report.metric = "planar";
+  report.max_error = 2.5;
+  report.min_angle_deg = 30;
+  report.whole = {"dem.ply", "", 427, 795, {}, {431550, 5103725}};
+  report.whole.error.max = 2.25;
+  report.whole.error.column = 14;
+  report.whole.error.row = 26;
+  report.whole.error.samples = 1608;
+  report.levels.push_back({"dem.level1.ply", "level 1", 40, 66, {}, {}});
+  report.below_bound[static_cast<std::size_t>(Reason::kept_border)] = 3;
+  report.error_kept = report.goal_reached = report.valid = true;
+  report.warnings = {"a warning"};
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("the terrain report for machines names the error, its place, and every reason") {
+  const auto json = nlohmann::json::parse(to_json(sample()));
+  CHECK(json["schema_version"] == 1);
+  CHECK(json["output"] == "dem.ply");
+  CHECK(json["heights"] == nlohmann::json({488.2, 729.6}));
+  CHECK(json["asked_for"]["max_error"] == 2.5);
+  CHECK(json["asked_for"]["max_vertices"].is_null());
+  CHECK(json["error"]["max"] == 2.25);
+  CHECK(json["error"]["column"] == 14);
+  CHECK(json["error"]["at"] == nlohmann::json({431550.0, 5103725.0}));
+  CHECK(json["levels"][0]["output"] == "dem.level1.ply");
+  CHECK(json["below_bound"].size() == ReasonCounts().size());
+  CHECK(json["below_bound"]["kept_border"] == 3);
+  CHECK(json["admissible"].is_null());
+  CHECK(json["error_kept"] == true);
+  CHECK(json["smallest_angles"].size() == 12);
+}
+
+TEST_CASE("the terrain report for people says what was asked for beside what was found") {
+  const std::string text = to_text(sample());
+  CHECK(contains(text, "2.25 (asked for: 2.5)"));
+  CHECK(contains(text, "column 14, row 26: (431550, 5103725)"));
+  CHECK(contains(text, "60 x 40 samples, 1608 with data"));
+  CHECK(contains(text, "3 kept_border"));
+  CHECK(contains(text, "dem.level1.ply"));
+  CHECK(contains(text, "warning: a warning"));
+  CHECK_FALSE(contains(text, "admissible"));
+}
+
+TEST_CASE("the histogram counts each triangle once, by its smallest angle") {
+  const AngleHistogram square = angle_histogram(test::square());  // two triangles of 45 degrees
+  CHECK(square[8] + square[9] == 2);
+  const AngleHistogram hexagon = angle_histogram(test::hexagon());  // six of 60, up to rounding
+  CHECK(hexagon[11] == 6);
+}
