@@ -242,7 +242,7 @@ void LeppLoop::reduce_error(TriangleId t) {
   if (cut_line_at(t, s)) return;
   const Point p = terrain_.space().place(s);
   best_.reset();
-  if (insert_if_good(t, p) || insert_near_worst(t, p)) return;
+  if (find_cavity(t, p) && (fill_if_good(p) || insert_near_worst(t, p))) return;
   const HalfEdge terminal = terminal_edge(mesh_, t);
   if (squared_length(terminal) > short_edge * short_edge) {
     if (insert_at_end_of_path(terminal) || insert_best(t)) return;
@@ -265,7 +265,11 @@ bool LeppLoop::cut_line_at(TriangleId t, Sample s) {
 }
 
 bool LeppLoop::insert_if_good(TriangleId t, Point p) {
-  if (!find_cavity(t, p) || encroached_by(p)) return false;
+  return find_cavity(t, p) && fill_if_good(p);
+}
+
+bool LeppLoop::fill_if_good(Point p) {
+  if (encroached_by(p)) return false;
   const double badness = badness_of_star(p);
   if (badness <= bound_) {
     fill(p);
@@ -276,7 +280,6 @@ bool LeppLoop::insert_if_good(TriangleId t, Point p) {
 }
 
 bool LeppLoop::insert_near_worst(TriangleId t, Point p) {
-  if (!find_cavity(t, p)) return false;
   const auto place = good_place_in_cavity(p);
   return place && insert_if_good(t, terrain_.snapped(*place));
 }
