@@ -43,7 +43,9 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
   lepp/terrain/height_grid.hpp
+  lepp/terrain/simplify.hpp
   lepp/terrain/terrain_domain.hpp
+  lepp/terrain/tin.hpp
   lepp/voronoi/admissible.hpp
   lepp/voronoi/voronoi_boxes.hpp)
 target_sources(lepp_io PUBLIC FILE_SET HEADERS
