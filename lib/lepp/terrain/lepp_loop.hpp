@@ -68,6 +68,7 @@ class LeppLoop {
   void reduce_error(TriangleId t);
   bool cut_line_at(TriangleId t, Sample s);
   bool insert_if_good(TriangleId t, Point p);
+  bool fill_if_good(Point p);
   bool insert_near_worst(TriangleId t, Point p);
   bool insert_at_end_of_path(HalfEdge terminal);
   bool insert_best(TriangleId t);

@@ -57,6 +57,9 @@ bool is_at_sample(const TerrainCorner& c) {
          c.line == static_cast<double>(static_cast<std::int64_t>(c.line));
 }
 
+// One pass over a few samples is faster than a quick one and perhaps a second.
+bool is_long(const ScanSpan& span) { return span.last - span.first >= 8; }
+
 bool is_corner(const std::array<TerrainCorner, 3>& corners, Sample s) {
   return SampleSpace::is_at(corners[0], s) || SampleSpace::is_at(corners[1], s) ||
          SampleSpace::is_at(corners[2], s);
@@ -86,7 +89,7 @@ WorstSample TriangleScan::worst_of_lines(const std::array<TerrainCorner, 3>& cor
                                          std::int64_t step) const {
   WorstSample worst;
   const auto note = [&](const ScanSpan& span) {
-    if (!(largest_error(span) > worst.error)) return true;
+    if (is_long(span) && !(largest_error(span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
       const double error = error_at(heights(span)[i], span.height, span.slope, i);
       if (error > worst.error && !is_corner(corners, {span.first + i, span.line})) {
@@ -102,7 +105,8 @@ WorstSample TriangleScan::worst_of_lines(const std::array<TerrainCorner, 3>& cor
 bool TriangleScan::is_within(const std::array<TerrainCorner, 3>& corners, double limit) const {
   bool within = true;
   spans_(corners, [&](const ScanSpan& span) {
-    within = !(largest_error(span) > limit) || !has_other(span, corners, limit);
+    const bool suspect = !is_long(span) || largest_error(span) > limit;
+    within = !suspect || !has_other(span, corners, limit);
     return within;
   });
   return within;
