@@ -137,9 +137,13 @@ void add_goals(CLI::App& app, TerrainCommand& command) {
                  "lepp: angles are bounded; greedy: fewest vertices (default lepp)")
       ->transform(
           choice_of<SimplifyBy>({{"lepp", SimplifyBy::lepp}, {"greedy", SimplifyBy::greedy}}));
-  app.add_option("--min-angle", command.min_angle_deg, "smallest angle wanted, by lepp")
-      ->check(number_from(0, 34))
-      ->capture_default_str();
+  app.add_option("--min-angle", command.min_angle_deg,
+                 "smallest angle wanted, by lepp (default 30)")
+      ->check(number_from(0, 34));
+  app.add_option("--effort", command.effort,
+                 "fast, normal or best: time spent on fewer vertices, by lepp (default normal)")
+      ->transform(choice_of<Effort>(
+          {{"fast", Effort::fast}, {"normal", Effort::normal}, {"best", Effort::best}}));
   app.add_option("--metric", command.metric,
                  "planar: lengths and angles of the map; surface: those in space (default planar)")
       ->transform(choice_of<TerrainMetric>(

@@ -99,6 +99,8 @@ void check_terrain_options(const TerrainCommand& c) {
          c.output.target.string() + " is of no kind that holds a TIN; name it " + tin_file_kinds());
   refuse(!c.picture.empty() && c.picture.extension() != ".svg" && c.picture.extension() != ".png",
          "--picture", c.picture.string() + " is no picture; name it .svg or .png");
+  refuse(c.min_angle_deg && c.by == SimplifyBy::greedy, "--min-angle", "goes with --by lepp only");
+  refuse(c.effort && c.by == SimplifyBy::greedy, "--effort", "goes with --by lepp only");
   refuse(c.nonobtuse && c.by == SimplifyBy::greedy, "--nonobtuse", "goes with --by lepp only");
   refuse(c.nonobtuse && c.metric == TerrainMetric::surface, "--nonobtuse",
          "goes with --metric planar only");
@@ -125,7 +127,8 @@ SimplifyOptions simplify_options(const TerrainCommand& c, double range) {
   if (c.max_vertices) options.max_vertices = *c.max_vertices;
   options.by = c.by;
   options.metric = c.metric;
-  options.min_angle_deg = c.min_angle_deg;
+  options.min_angle_deg = c.min_angle_deg.value_or(options.min_angle_deg);
+  options.effort = c.effort.value_or(options.effort);
   for (const std::string& text : c.level_errors) {
     options.level_errors.push_back(height_or_part(text).in(range));
   }

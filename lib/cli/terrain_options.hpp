@@ -41,7 +41,8 @@ struct TerrainCommand {
   std::optional<std::size_t> max_vertices;
   SimplifyBy by = SimplifyBy::lepp;
   TerrainMetric metric = TerrainMetric::planar;
-  double min_angle_deg = 30;
+  std::optional<double> min_angle_deg;
+  std::optional<Effort> effort;
   std::vector<double> cell;  ///< none or two
   std::optional<double> nodata;
   std::vector<std::filesystem::path> clip, breaklines, soft_breaklines;
