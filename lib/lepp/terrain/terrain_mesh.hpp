@@ -40,6 +40,8 @@ class TerrainMesh {
 
   /// False for sides of the domain that have to stay whole.
   bool may_cut(HalfEdge e) const;
+  /// True if the height of each place on `e` is asked for by a line.
+  bool is_hard(HalfEdge e) const;
 
   /// Inserts a vertex at a sample that is in `t`, on a constrained edge of it if need be.
   /// \return false if that is not possible: a vertex is there, or the edge may not be cut
@@ -53,7 +55,6 @@ class TerrainMesh {
 
  private:
   void scan_triangle(TriangleId t);
-  bool is_hard(HalfEdge e) const;
   void put_on_line(VertexId v);
   std::optional<HalfEdge> constrained_edge_at(TriangleId t, Point p) const;
   bool cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed);

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lepp/terrain/surface_metric.hpp"
+#include "lepp/terrain/surface_report.hpp"
+#include "lepp/terrain/terrain_mesh.hpp"
+
+namespace lepp {
+
+/// Which edges the surface metric flips. An edge that breaks the sphere criterion is flipped unless
+/// one of the rules of KeptBy keeps it. Triangles can be put aside as planar: two of them follow
+/// the circle criterion of the plan, and an edge between a planar one and another stays.
+class SurfaceFlips {
+ public:
+  /// \param plan_angle_deg  no flip makes an angle in plan that is below it and below what was
+  SurfaceFlips(const SurfaceMetric& metric, TerrainMesh& terrain, double plan_angle_deg);
+
+  /// A flip may not make a TIN that keeps this error break it.
+  void set_error(double error) { error_ = error; }
+
+  /// What keeps the diagonal ab of a quadrilateral that breaks the sphere criterion, as far as its
+  /// corners tell: `shape` (exact), `angle` or `plan_angle`.
+  std::optional<KeptBy> kept_by_corners(const Quad& quad) const;
+
+  bool breaks_sphere(HalfEdge e) const {
+    return !terrain_.mesh().is_boundary(e) && lepp::breaks_sphere(metric_.quad(e));
+  }
+  /// What keeps `e`, which breaks the sphere criterion.
+  std::optional<KeptBy> kept_by(HalfEdge e) const;
+
+  bool is_planar(TriangleId t) const { return t.index() < planar_.size() && planar_[t.index()]; }
+  void set_planar(TriangleId t, bool planar);
+  bool any_planar() const { return any_planar_; }
+  /// No triangle is planar any more.
+  void clear_planar();
+
+  /// Flips until every edge reachable from `suspects` obeys its criterion, or is kept.
+  /// Ends: in space the sorted smallest angles of the triangles rise; in plan this is Lawson's
+  /// algorithm; and neither touches the triangles of the other.
+  /// \pre the errors of all triangles are known; they are afterwards
+  /// \param changed  triangles that a flip touched are appended, with repetitions
+  void restore(std::vector<HalfEdge>& suspects, std::vector<TriangleId>& changed);
+
+  /// All edges that break the criterion now, each from its triangle with the lower id.
+  std::vector<SphereViolation> violations() const;
+
+ private:
+  bool is_to_flip(HalfEdge e) const;
+  bool breaks_error(HalfEdge e) const;
+
+  const SurfaceMetric& metric_;
+  TerrainMesh& terrain_;
+  double plan_badness_;  // cos^2 of the angle in plan
+  double error_ = 0;
+  std::vector<std::uint8_t> planar_;  // by triangle
+  bool any_planar_ = false;
+};
+
+}  // namespace lepp

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "lepp/terrain/levels.hpp"
+#include "lepp/terrain/simplify.hpp"
+#include "lepp/terrain/terrain_mesh.hpp"
+
+namespace lepp {
+
+/// SimplifyBy::lepp by the metric of the surface. First the planar simplification, without a bound
+/// on the error, gives the mesh of the domain its angles in plan; SurfaceLoop goes on from there,
+/// and has nothing to do where the surface is level.
+/// \param report  gets `unfinished`, here triangles with an angle in plan below
+///                SurfaceLoop::plan_angle_deg, and what `surface` says of violations
+void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& levels,
+                      const SimplifyOptions& options, SimplifyReport& report);
+
+/// Notes what angles the triangles of a TIN of `grid` have in space. Cost O(triangles)
+void note_angles(const HeightGrid& grid, const Tin& tin, double min_angle_deg,
+                 SurfaceReport& report);
+
+}  // namespace lepp
