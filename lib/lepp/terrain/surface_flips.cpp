@@ -86,15 +86,19 @@ void SurfaceFlips::restore(std::vector<HalfEdge>& suspects, std::vector<Triangle
 }
 
 void SurfaceFlips::set_planar(TriangleId t, bool planar) {
-  if (!planar && planar_.size() <= t.index()) return;
+  if (planar == is_planar(t)) return;
   if (planar_.size() <= t.index()) planar_.resize(2 * t.index() + 1, 0);
   planar_[t.index()] = planar ? 1 : 0;
-  any_planar_ = any_planar_ || planar;
+  if (planar) set_aside_.push_back(t);
 }
 
-void SurfaceFlips::clear_planar() {
-  planar_.clear();
-  any_planar_ = false;
+void SurfaceFlips::clear_planar(std::vector<HalfEdge>& suspects) {
+  for (const TriangleId t : set_aside_) {
+    if (!is_planar(t)) continue;
+    planar_[t.index()] = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) suspects.push_back({t, i});
+  }
+  set_aside_.clear();
 }
 
 std::vector<SphereViolation> SurfaceFlips::violations() const {

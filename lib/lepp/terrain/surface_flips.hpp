@@ -33,9 +33,9 @@ class SurfaceFlips {
 
   bool is_planar(TriangleId t) const { return t.index() < planar_.size() && planar_[t.index()]; }
   void set_planar(TriangleId t, bool planar);
-  bool any_planar() const { return any_planar_; }
-  /// No triangle is planar any more.
-  void clear_planar();
+  bool any_planar() const { return !set_aside_.empty(); }
+  /// No triangle is planar any more. Appends the edges of those that were.
+  void clear_planar(std::vector<HalfEdge>& suspects);
 
   /// Flips until every edge reachable from `suspects` obeys its criterion, or is kept.
   /// Ends: in space the sorted smallest angles of the triangles rise; in plan this is Lawson's
@@ -56,7 +56,7 @@ class SurfaceFlips {
   double plan_badness_;  // cos^2 of the angle in plan
   double error_ = 0;
   std::vector<std::uint8_t> planar_;  // by triangle
-  bool any_planar_ = false;
+  std::vector<TriangleId> set_aside_;  // all that are planar, and some that were
 };
 
 }  // namespace lepp

@@ -49,8 +49,7 @@ void SurfaceLoop::run(double error, std::size_t vertices) {
   while (mesh_.vertex_count() < most_vertices_ && !cancelled_ && take_turn()) {
     if (++turns_ % now_and_then == 0) cancelled_ = !go_on_();
   }
-  flips_.clear_planar();  // the budget may have ended before that
-  flip_everywhere();
+  flip_planar_back();  // the budget may have ended before that
 }
 
 // What the coarse mesh has below the bound in plan, its own refinement could not better: it is no
@@ -78,6 +77,14 @@ void SurfaceLoop::flip_everywhere() {
   for (std::size_t t = mesh_.triangle_count(); t-- > 0;) {
     for (std::uint32_t i = 0; i < 3; ++i) suspects_.push_back({TriangleId(t), i});
   }
+  flips_.restore(suspects_, changed_);
+  note_changes();
+}
+
+void SurfaceLoop::flip_planar_back() {
+  changed_.clear();
+  suspects_.clear();
+  flips_.clear_planar(suspects_);
   flips_.restore(suspects_, changed_);
   note_changes();
 }
@@ -129,8 +136,7 @@ bool SurfaceLoop::take_turn() {
     reduce_error(*worst);
     if (changed_.empty()) heap_->set(*worst, 0);
   } else if (flips_.any_planar()) {
-    flips_.clear_planar();
-    flip_everywhere();
+    flip_planar_back();
     return true;
   } else if (const auto small = next(small_)) {
     if (is_improvable(*small)) improve(*small, Kind::space);
@@ -154,7 +160,7 @@ void SurfaceLoop::reduce_error(TriangleId t) {
   const Sample s = terrain_.worst(t).at;
   if (cut_line_at(t, s)) return;
   const Point p = terrain_.space().place(s);
-  if (!flips_.is_planar(t) && insert_in_space(t, p)) return;
+  if (insert_in_space(t, p)) return;
   insert_in_plan(t, p);
 }
 

@@ -67,6 +67,7 @@ class SurfaceLoop {
   void note_changes();
   void add_targets(TriangleId t);
   void flip_everywhere();
+  void flip_planar_back();
   std::optional<TriangleId> next(Targets& targets);
   bool is_improvable(TriangleId t) const;
 
