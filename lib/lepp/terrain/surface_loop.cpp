@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::uint8_t most_moves = 20;
 constexpr std::size_t now_and_then = 1024;
+// The parts of the bound that moves try to reach, one after the other.
+constexpr double rungs[] = {1, 0.75, 0.55};
 // Nearer to a constrained edge, in cells, a sample is on it.
 constexpr double on_line = 2 * same_place;
 
@@ -38,18 +40,24 @@ SurfaceLoop::SurfaceLoop(const HeightGrid& grid, TerrainMesh& terrain, double mi
       bound_(AngleTest::squared_cos(min_angle_deg)),
       plan_bound_(AngleTest::squared_cos(std::min(plan_angle_deg, min_angle_deg))),
       off_centre_(min_angle_deg),
-      place_(min_angle_deg),
       clearance_((1 - same_place) * std::min(1.0, grid.aspect())),
       floor_(default_size_floor(mesh_)),
-      frozen_(mesh_.vertex_count()) {}
+      budget_(mesh_.vertex_count() + 2 * grid.size() + 1000),
+      frozen_(mesh_.vertex_count()) {
+  for (const double part : rungs) ladder_.emplace_back(part * min_angle_deg);
+}
 
 void SurfaceLoop::run(double error, std::size_t vertices) {
   most_vertices_ = vertices;
   start(error);
-  while (mesh_.vertex_count() < most_vertices_ && !cancelled_ && take_turn()) {
-    if (++turns_ % now_and_then == 0) cancelled_ = !go_on_();
+  while (mesh_.vertex_count() < most_vertices_ && may_go_on() && take_turn()) {
   }
   flip_planar_back();  // the budget may have ended before that
+}
+
+bool SurfaceLoop::may_go_on() {
+  if (++turns_ % now_and_then == 0) cancelled_ = cancelled_ || !go_on_();
+  return !cancelled_ && !out_of_budget();
 }
 
 // What the coarse mesh has below the bound in plan, its own refinement could not better: it is no
@@ -213,7 +221,7 @@ bool SurfaceLoop::insert_in_space(TriangleId t, Point p) {
     new_star_.copy_to(star_, [](Point q) { return q; });
     const SlopeMap slope = slope_of(star_);
     new_star_.copy_to(star_, [&](Point q) { return slope.to_plane(q); });
-    if (const auto place = place_.find(star_, slope.to_plane(p))) {
+    if (const auto place = ladder_.front().place.find(star_, slope.to_plane(p))) {
       if (try_in_space(t, snapped(slope.to_plan(*place)), best)) return true;
     }
   }
@@ -246,7 +254,7 @@ bool SurfaceLoop::insert_in_plan(TriangleId t, Point p) {
   if (try_in_plan(t, p, best)) return true;
   if (grow(t, p, TerrainMetric::planar)) {
     new_star_.copy_to(star_, [](Point q) { return q; });
-    if (const auto place = place_.find(star_, p)) {
+    if (const auto place = ladder_.front().place.find(star_, p)) {
       if (try_in_plan(t, snapped(*place), best)) return true;
     }
   }
@@ -317,10 +325,29 @@ bool SurfaceLoop::cut(HalfEdge e, std::optional<Point> at) {
 // ---- angles --------------------------------------------------------------------------------
 
 void SurfaceLoop::improve(TriangleId t, Kind kind) {
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    if (move_corner(t, i, kind)) return;
+  if (kind == Kind::plan && flip_in_plan(t)) return;
+  for (Rung& rung : ladder_) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (move_corner(t, i, kind, rung)) return;
+    }
   }
-  insert_off_centre(t, kind);
+  if (insert_off_centre(t, kind) || kind == Kind::space) return;
+  insert_at_end_of_path(t);
+}
+
+// Sets the triangle aside with those around it.
+bool SurfaceLoop::flip_in_plan(TriangleId t) {
+  const auto before = mesh_.vertices(t);
+  suspects_.clear();
+  flips_.set_planar(t, true);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const HalfEdge e{t, i};
+    if (mesh_.is_constrained(e)) continue;
+    flips_.set_planar(mesh_.twin(e)->triangle, true);
+    suspects_.push_back(e);
+  }
+  flips_.restore(suspects_, changed_);
+  return mesh_.vertices(t) != before;
 }
 
 SlopeMap SurfaceLoop::slope_of(const Star& star) const {
@@ -329,50 +356,62 @@ SlopeMap SurfaceLoop::slope_of(const Star& star) const {
   return SlopeMap(chain);
 }
 
-bool SurfaceLoop::move_corner(TriangleId t, std::uint32_t corner, Kind kind) {
+// To a place where all angles of the star reach the rung, and the smallest is larger than it was.
+bool SurfaceLoop::move_corner(TriangleId t, std::uint32_t corner, Kind kind, Rung& rung) {
   const VertexId v = mesh_.vertex(t, corner);
   if (v.index() < frozen_ || mesh_.origin_of(v).kind != VertexOrigin::Kind::interior) return false;
   if (moves_.size() <= v.index()) moves_.resize(2 * mesh_.vertex_count(), 0);
   if (moves_[v.index()] == most_moves || !find_star(mesh_, t, corner, star_, 12)) return false;
+  const double most = worst_of(star_, metric_.at(v), kind);
   Star flat = star_;
   const SlopeMap slope = slope_of(star_);
   const auto there = [&](Point p) { return kind == Kind::space ? slope.to_plane(p) : p; };
   for (auto& side : flat.link) side.from = there(side.from);
-  const auto found = place_.find(flat, there(mesh_.point(v)));
+  const auto found = rung.place.find(flat, there(mesh_.point(v)));
   if (!found) return false;
   const Point place = kind == Kind::space ? slope.to_plan(*found) : *found;
+  const auto is_better = [&](double worst) { return worst <= rung.badness && worst < most; };
   double before = error_;
   for (const auto& side : star_.link) before = std::max(before, terrain_.error(side.edge.triangle));
   for (const Point p : {snapped(place), in_supported_range(place)}) {
-    if (!sees_link(star_, p) || !is_good_center(star_, metric_.at(p), kind, bound_)) continue;
-    if (error_of_star(star_, p) > before) continue;
-    mesh_.move_vertex(v, p);
-    terrain_.set_height(v);
-    ++moves_[v.index()];
-    suspects_.clear();
-    for (const auto& side : star_.link) {
-      changed_.push_back(side.edge.triangle);
-      for (std::uint32_t i = 0; i < 3; ++i) suspects_.push_back({side.edge.triangle, i});
-    }
-    terrain_.rescan(changed_);
-    flips_.restore(suspects_, changed_);
+    if (!sees_link(star_, p) || !is_better(worst_of(star_, metric_.at(p), kind))) continue;
+    if (encroaches(star_, p) || error_of_star(star_, p) > before) continue;
+    move(v, p);
     return true;
   }
   return false;
 }
 
-bool SurfaceLoop::is_good_center(const Star& star, const SpacePoint& p, Kind kind,
-                                 double most) const {
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const HalfEdge e = star.link[i].edge;
-    const SpacePoint a = metric_.at(mesh_.origin(e)), b = metric_.at(mesh_.destination(e));
-    const double plan = AngleTest::badness(p.plan(), a.plan(), b.plan());
-    if (kind == Kind::plan ? plan > most : plan > plan_bound_ || badness(p, a, b) > most) {
-      return false;
-    }
-    if (star.link[i].constrained && would_encroach(mesh_, e, p.plan())) return false;
+void SurfaceLoop::move(VertexId v, Point p) {
+  mesh_.move_vertex(v, p);
+  terrain_.set_height(v);
+  ++moves_[v.index()];
+  suspects_.clear();
+  for (const auto& side : star_.link) {
+    changed_.push_back(side.edge.triangle);
+    for (std::uint32_t i = 0; i < 3; ++i) suspects_.push_back({side.edge.triangle, i});
   }
-  return true;
+  terrain_.rescan(changed_);
+  flips_.restore(suspects_, changed_);
+}
+
+// cos^2 of the smallest angle of a star with its center at p, above 1 if one in plan is too small.
+double SurfaceLoop::worst_of(const Star& star, const SpacePoint& p, Kind kind) const {
+  double worst = 0;
+  for (const auto& side : star.link) {
+    const SpacePoint a = metric_.at(mesh_.origin(side.edge)),
+                     b = metric_.at(mesh_.destination(side.edge));
+    const double plan = AngleTest::badness(p.plan(), a.plan(), b.plan());
+    if (plan > plan_bound_) worst = std::max(worst, 1 + plan);
+    worst = std::max(worst, kind == Kind::plan ? plan : badness(p, a, b));
+  }
+  return worst;
+}
+
+bool SurfaceLoop::encroaches(const Star& star, Point p) const {
+  return std::ranges::any_of(star.link, [&](const Star::LinkEdge& side) {
+    return side.constrained && would_encroach(mesh_, side.edge, p);
+  });
 }
 
 double SurfaceLoop::error_of_star(const Star& star, Point p) const {
@@ -414,6 +453,22 @@ bool SurfaceLoop::insert_off_centre(TriangleId t, Kind kind) {
     if (kind == Kind::space && (!new_star_.is_tame() || new_star_.badness_in_plan() > plan_bound_))
       continue;
     fill(metric);
+    return true;
+  }
+  return false;
+}
+
+bool SurfaceLoop::insert_at_end_of_path(TriangleId t) {
+  const double before = AngleTest::badness(mesh_.corners(t)[0], mesh_.corners(t)[1],
+                                           mesh_.corners(t)[2]);
+  const HalfEdge terminal = terminal_edge(mesh_, t);
+  if (mesh_.is_constrained(terminal)) return cut(terminal);
+  const Point a = mesh_.point(mesh_.origin(terminal)), b = mesh_.point(mesh_.destination(terminal));
+  for (const Point q : {snapped(midpoint(a, b)), midpoint(a, b)}) {
+    if (!grow(terminal.triangle, q, TerrainMetric::planar) || new_star_.encroached()) continue;
+    if (new_star_.squared_clearance() < clearance_ * clearance_) continue;
+    if (new_star_.badness_in_plan() >= before) continue;
+    fill(TerrainMetric::planar);
     return true;
   }
   return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <queue>
@@ -29,14 +30,18 @@ class SurfaceLoop {
 
   /// Works until every error is at most `error` and no turn betters an angle, or there are
   /// `vertices` vertices.
-  /// Ends: samples become vertices once, other places keep a cell away from vertices, a vertex
-  /// moves only so often, and flips between two turns end (SurfaceFlips).
+  /// Ends: samples become vertices once, other places stay a cell away from the corners of their
+  /// star, a vertex moves only so often, flips between two turns end (SurfaceFlips), and there is a
+  /// budget, which no real grid comes near.
   void run(double error, std::size_t vertices);
 
   /// Vertices that exist now stay where they are from now on.
   void freeze() { frozen_ = mesh_.vertex_count(); }
   double largest_error() const;
   bool cancelled() const { return cancelled_; }
+  bool out_of_budget() const {
+    return mesh_.vertex_count() >= budget_ || turns_ / turns_per_vertex >= budget_;
+  }
 
   std::vector<SphereViolation> violations() const { return flips_.violations(); }
   std::size_t tame() const { return tame_; }
@@ -55,6 +60,13 @@ class SurfaceLoop {
       return badness != other.badness ? badness < other.badness : other.triangle < triangle;
     }
   };
+  // An angle in reach, and where it is reached.
+  struct Rung {
+    explicit Rung(double angle_deg)
+        : badness(AngleTest::squared_cos(angle_deg)), place(angle_deg) {}
+    double badness;
+    FeasiblePlace place;
+  };
   using Targets = std::priority_queue<Target>;
   // A place for a vertex, and the worst angle of the star it would get.
   struct Candidate {
@@ -62,7 +74,10 @@ class SurfaceLoop {
     double badness;
   };
 
+  static constexpr std::size_t turns_per_vertex = 100;  // of the budget
+
   void start(double error);
+  bool may_go_on();
   bool take_turn();
   void note_changes();
   void add_targets(TriangleId t);
@@ -84,9 +99,13 @@ class SurfaceLoop {
 
   // Angles.
   void improve(TriangleId t, Kind kind);
-  bool move_corner(TriangleId t, std::uint32_t corner, Kind kind);
-  bool is_good_center(const Star& star, const SpacePoint& p, Kind kind, double most) const;
+  bool flip_in_plan(TriangleId t);
+  bool move_corner(TriangleId t, std::uint32_t corner, Kind kind, Rung& rung);
+  void move(VertexId v, Point p);
+  double worst_of(const Star& star, const SpacePoint& p, Kind kind) const;
+  bool encroaches(const Star& star, Point p) const;
   bool insert_off_centre(TriangleId t, Kind kind);
+  bool insert_at_end_of_path(TriangleId t);
   double error_of_star(const Star& star, Point p) const;
   SlopeMap slope_of(const Star& star) const;
   Point snapped(Point p) const;
@@ -101,11 +120,12 @@ class SurfaceLoop {
   AngleTest angle_, plan_angle_;
   double bound_, plan_bound_;  // cos^2 of the smallest angles in space and in plan
   OffCentre off_centre_;
-  FeasiblePlace place_;
+  std::deque<Rung> ladder_;
   double clearance_, floor_;
   std::optional<ErrorHeap> heap_;
   Targets thin_, small_;  // below the bound in plan, and in space
   double error_ = 0;
+  std::size_t budget_;  // of vertices: every sample, and as many places between them
   std::size_t most_vertices_ = 0, frozen_, tame_ = 0, untame_ = 0, turns_ = 0;
   bool cancelled_ = false, started_ = false;
   std::optional<HalfEdge> barrier_;

@@ -48,7 +48,7 @@ void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& leve
     is_coarse = is_coarse && mesh.vertex_count() >= levels.vertices();
     loop.run(levels.error(), levels.vertices());
   } while (!loop.cancelled() && levels.go_on(terrain.tin(), loop.largest_error()));
-  const bool used_up = mesh.vertex_count() >= options.max_vertices;
+  const bool used_up = loop.out_of_budget() || mesh.vertex_count() >= options.max_vertices;
   const Reason otherwise = loop.cancelled() || levels.cancelled() ? Reason::cancelled
                            : used_up                              ? Reason::budget
                                                                   : Reason::size_floor;
