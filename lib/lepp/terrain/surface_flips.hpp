@@ -55,7 +55,7 @@ class SurfaceFlips {
   TerrainMesh& terrain_;
   double plan_badness_;  // cos^2 of the angle in plan
   double error_ = 0;
-  std::vector<std::uint8_t> planar_;  // by triangle
+  std::vector<std::uint8_t> planar_;   // by triangle
   std::vector<TriangleId> set_aside_;  // all that are planar, and some that were
 };
 

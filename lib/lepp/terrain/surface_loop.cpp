@@ -435,8 +435,7 @@ bool SurfaceLoop::insert_off_centre(TriangleId t, Kind kind) {
       kind == Kind::plan
           ? off_centre_(a, b, c)
           : slope.to_plan(off_centre_(slope.to_plane(a), slope.to_plane(b), slope.to_plane(c)));
-  const double before =
-      kind == Kind::plan ? AngleTest::badness(a, b, c) : metric_.badness(t);
+  const double before = kind == Kind::plan ? AngleTest::badness(a, b, c) : metric_.badness(t);
   for (const Point q : {snapped(p), in_supported_range(p)}) {
     if (!grow(t, q, metric)) {
       if (barrier_ && kind == Kind::plan) return cut(*barrier_);
@@ -459,8 +458,8 @@ bool SurfaceLoop::insert_off_centre(TriangleId t, Kind kind) {
 }
 
 bool SurfaceLoop::insert_at_end_of_path(TriangleId t) {
-  const double before = AngleTest::badness(mesh_.corners(t)[0], mesh_.corners(t)[1],
-                                           mesh_.corners(t)[2]);
+  const double before =
+      AngleTest::badness(mesh_.corners(t)[0], mesh_.corners(t)[1], mesh_.corners(t)[2]);
   const HalfEdge terminal = terminal_edge(mesh_, t);
   if (mesh_.is_constrained(terminal)) return cut(terminal);
   const Point a = mesh_.point(mesh_.origin(terminal)), b = mesh_.point(mesh_.destination(terminal));

@@ -33,7 +33,7 @@ struct SurfaceReport {
   std::size_t below_bound = 0;    ///< triangles with an angle below the bound asked for
   // Of the surface metric alone:
   std::vector<SphereViolation> violations = {};  ///< all that are left, ascending by edge
-  std::size_t tame = 0;    ///< vertices inserted by the metric of space
+  std::size_t tame = 0;                          ///< vertices inserted by the metric of space
   std::size_t untame = 0;  ///< and by that of the plan, where the surface bends too much
 };
 

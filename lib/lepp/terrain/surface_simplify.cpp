@@ -39,9 +39,8 @@ void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& leve
                       const SimplifyOptions& options, SimplifyReport& report) {
   const Mesh& mesh = terrain.mesh();
   bool is_coarse = true;
-  SurfaceLoop loop(grid, terrain, options.min_angle_deg, [&] {
-    return !options.progress || options.progress(mesh.vertex_count());
-  });
+  SurfaceLoop loop(grid, terrain, options.min_angle_deg,
+                   [&] { return !options.progress || options.progress(mesh.vertex_count()); });
   do {
     loop.freeze();
     if (is_coarse) make_coarse(grid, terrain, options, levels.vertices());

@@ -50,7 +50,8 @@ class SurfaceStar {
   template <class Map>
   void copy_to(Star& star, Map map) const {
     star.link.clear();
-    for (const RimEdge& e : rim_) star.link.push_back({e.inside, map(e.from.plan()), e.constrained});
+    for (const RimEdge& e : rim_)
+      star.link.push_back({e.inside, map(e.from.plan()), e.constrained});
   }
 
   /// Makes the vertex: the star as it was found. Heights and errors are up to date afterwards.

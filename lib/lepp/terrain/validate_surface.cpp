@@ -41,9 +41,8 @@ class Validator {
   void broken(const std::string& rule, HalfEdge e, const std::string& problem) {
     ++report_.count;
     if (++per_rule_[rule] > reported_per_rule) return;
-    report_.violations.push_back(
-        {rule, "edge " + std::to_string(e.edge) + " of triangle " +
-                   std::to_string(e.triangle.value) + ": " + problem});
+    report_.violations.push_back({rule, "edge " + std::to_string(e.edge) + " of triangle " +
+                                            std::to_string(e.triangle.value) + ": " + problem});
   }
 
   void note_list() {
@@ -114,8 +113,8 @@ class Validator {
   // In degrees, at `apex` in space.
   double angle(VertexId apex, VertexId a, VertexId b) const {
     const auto u = leg(apex, a), w = leg(apex, b);
-    const double sine = std::hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2],
-                                   u[0] * w[1] - u[1] * w[0]);
+    const double sine =
+        std::hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]);
     return degrees(std::atan2(sine, u[0] * w[0] + u[1] * w[1] + u[2] * w[2]));
   }
   double smallest_in_space(const Corners& t) const {
