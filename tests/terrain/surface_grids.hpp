@@ -20,14 +20,14 @@ inline HeightGrid wild(std::uint32_t columns, std::uint32_t rows, std::uint64_t 
   });
 }
 
-inline void check_surface(const HeightGrid& grid, const Tin& tin, double max_error,
-                          const SimplifyReport& report, double plan_angle_deg = 15) {
+inline void check_surface(const HeightGrid& grid, const Tin& tin, const SimplifyReport& report,
+                          double plan_angle_deg = 15) {
   MeshClaims claims;
   claims.delaunay = false;
   claims.min_angle_deg = plan_angle_deg;
   claims.unfinished = report.unfinished;
   CHECK(validate(tin.mesh, claims).summary() == "valid");
-  CHECK(validate_surface(grid, tin, {max_error, plan_angle_deg, report.surface.violations})
+  CHECK(validate_surface(grid, tin, {report.surface.bound, plan_angle_deg, report.surface.violations})
             .summary() == "valid");
 }
 

@@ -16,7 +16,7 @@ struct Case {
   SimplifyReport report;
   Tin tin =
       simplify(grid, rectangle(grid), {.max_error = 8, .metric = TerrainMetric::surface}, report);
-  SurfaceClaims claims{.max_error = 8, .violations = report.surface.violations};
+  SurfaceClaims claims{.bound = report.surface.bound, .violations = report.surface.violations};
   std::string first_rule() const {
     const auto found = validate_surface(grid, tin, claims).violations;
     return found.empty() ? "none" : found.front().rule;
@@ -82,10 +82,10 @@ TEST_CASE("validate_surface checks the rule of the error against the samples") {
   SimplifyReport report;
   const Tin tin =
       simplify(grid, rectangle(grid), {.max_error = 6, .metric = TerrainMetric::surface}, report);
-  SurfaceClaims claims{.max_error = 6, .violations = report.surface.violations};
+  SurfaceClaims claims{.bound = 6, .violations = report.surface.violations};
   REQUIRE(std::ranges::any_of(claims.violations,
                               [](const auto& v) { return v.kept_by == KeptBy::error; }));
   CHECK(validate_surface(grid, tin, claims).summary() == "valid");
-  claims.max_error = 60;  // then no flip was barred
+  claims.bound = 60;  // then no flip was barred
   CHECK(validate_surface(grid, tin, claims).violations.front().rule == "S2");
 }

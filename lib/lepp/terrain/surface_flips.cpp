@@ -53,11 +53,12 @@ std::optional<KeptBy> SurfaceFlips::kept_by(HalfEdge e) const {
 bool SurfaceFlips::breaks_error(HalfEdge e) const {
   const Mesh& mesh = terrain_.mesh();
   const HalfEdge f = *mesh.twin(e);
-  if (std::max(terrain_.error(e.triangle), terrain_.error(f.triangle)) > error_) return false;
+  const double most =
+      std::max({error_, terrain_.error(e.triangle), terrain_.error(f.triangle)});
   const TerrainCorner a = terrain_.corner(mesh.origin(e)), b = terrain_.corner(mesh.destination(e)),
                       c = terrain_.corner(mesh.apex(e)), d = terrain_.corner(mesh.apex(f));
-  return !terrain_.scan().is_within({c, a, d}, error_) ||
-         !terrain_.scan().is_within({d, b, c}, error_);
+  return !terrain_.scan().is_within({c, a, d}, most) ||
+         !terrain_.scan().is_within({d, b, c}, most);
 }
 
 bool SurfaceFlips::is_to_flip(HalfEdge e) const {

@@ -18,7 +18,7 @@ class SurfaceFlips {
   /// \param plan_angle_deg  no flip makes an angle in plan that is below it and below what was
   SurfaceFlips(const SurfaceMetric& metric, TerrainMesh& terrain, double plan_angle_deg);
 
-  /// A flip may not make a TIN that keeps this error break it.
+  /// No flip takes the error of its triangles above this, or above what it was if that is more.
   void set_error(double error) { error_ = error; }
 
   /// What keeps the diagonal ab of a quadrilateral that breaks the sphere criterion, as far as its

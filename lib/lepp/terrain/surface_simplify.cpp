@@ -39,13 +39,15 @@ void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& leve
                       const SimplifyOptions& options, SimplifyReport& report) {
   const Mesh& mesh = terrain.mesh();
   bool is_coarse = true;
+  double bound = 0;
   SurfaceLoop loop(grid, terrain, options.min_angle_deg,
                    [&] { return !options.progress || options.progress(mesh.vertex_count()); });
   do {
     loop.freeze();
     if (is_coarse) make_coarse(grid, terrain, options, levels.vertices());
     is_coarse = is_coarse && mesh.vertex_count() >= levels.vertices();
-    loop.run(levels.error(), levels.vertices());
+    bound = levels.error();
+    loop.run(bound, levels.vertices());
   } while (!loop.cancelled() && levels.go_on(terrain.tin(), loop.largest_error()));
   const bool used_up = loop.out_of_budget() || mesh.vertex_count() >= options.max_vertices;
   const Reason otherwise = loop.cancelled() || levels.cancelled() ? Reason::cancelled
@@ -53,9 +55,10 @@ void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& leve
                                                                   : Reason::size_floor;
   report.unfinished = small_angles_in_plan(
       mesh, std::min(SurfaceLoop::plan_angle_deg, options.min_angle_deg), otherwise);
-  report.surface.violations = loop.violations();
-  report.surface.tame = loop.tame();
-  report.surface.untame = loop.untame();
+  report.surface.violations = loop.editor().flips().violations();
+  report.surface.bound = bound;
+  report.surface.tame = loop.editor().tame();
+  report.surface.untame = loop.editor().untame();
 }
 
 void note_angles(const HeightGrid& grid, const Tin& tin, double min_angle_deg,

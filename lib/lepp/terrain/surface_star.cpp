@@ -21,7 +21,7 @@ bool SurfaceStar::grow(TriangleId t, Point p, TerrainMetric metric) {
   kind_ = metric;
   rim_.clear();
   is_tame_ = true;
-  badness_before_ = longest_ = 0;
+  longest_ = 0;
   if (!start(t, p)) return false;
   while (!stack_.empty()) {  // ends: the triangles crossed do not overlap in plan
     const HalfEdge e = stack_.back();
@@ -32,7 +32,6 @@ bool SurfaceStar::grow(TriangleId t, Point p, TerrainMetric metric) {
     }
     note_fold(e);
     const HalfEdge f = *terrain_.mesh().twin(e);
-    badness_before_ = std::max(badness_before_, metric_.badness(f.triangle));
     stack_.push_back(previous_edge(f));
     stack_.push_back(next_edge(f));
   }
@@ -60,11 +59,7 @@ bool SurfaceStar::start(TriangleId t, Point p) {
     }
   }
   place_ = metric_.at(p);
-  badness_before_ = metric_.badness(t);
-  if (on_edge_) {
-    note_fold(*on_edge_);
-    badness_before_ = std::max(badness_before_, metric_.badness(mesh.twin(*on_edge_)->triangle));
-  }
+  if (on_edge_) note_fold(*on_edge_);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -35,10 +36,8 @@ class SurfaceStar {
   /// cos^2 of the smallest angle of the star, in space and in plan.
   double badness_in_space() const { return badness_in_space_; }
   double badness_in_plan() const { return badness_in_plan_; }
-  /// cos^2 of the smallest angle in space of the triangles that it would replace.
-  double badness_before() const { return badness_before_; }
-  /// Squared distance in plan to the nearest vertex of the rim.
-  double squared_clearance() const { return squared_clearance_; }
+  /// Distance in plan to the nearest vertex of the rim.
+  double clearance() const { return std::sqrt(squared_clearance_); }
   /// A constrained edge of the rim that would see the place under more than 90 degrees in plan.
   std::optional<HalfEdge> encroached() const { return encroached_; }
   /// True if the star suits the metric of space: what it replaces folds by less than 60 degrees
@@ -46,12 +45,12 @@ class SurfaceStar {
   /// kept on the rim.
   bool is_tame() const { return is_tame_; }
 
-  /// The rim as a star in plan, for FeasiblePlace; `map` is applied to its corners.
-  template <class Map>
-  void copy_to(Star& star, Map map) const {
+  /// The rim as the star of a vertex to be.
+  void copy_to(Star& star) const {
     star.link.clear();
-    for (const RimEdge& e : rim_)
-      star.link.push_back({e.inside, map(e.from.plan()), e.constrained});
+    for (const RimEdge& e : rim_) {
+      star.link.push_back({e.inside, e.from.plan(), e.constrained});
+    }
   }
 
   /// Makes the vertex: the star as it was found. Heights and errors are up to date afterwards.
@@ -79,7 +78,7 @@ class SurfaceStar {
   TriangleId start_;
   std::optional<HalfEdge> on_edge_;
   std::vector<RimEdge> rim_;
-  double badness_in_space_ = 0, badness_in_plan_ = 0, badness_before_ = 0;
+  double badness_in_space_ = 0, badness_in_plan_ = 0;
   double squared_clearance_ = 0, longest_ = 0;
   std::optional<HalfEdge> encroached_;
   bool is_tame_ = false;

@@ -93,9 +93,10 @@ class Validator {
         return after < claims_.plan_angle_deg + forgiven_deg &&
                after < least(&Validator::smallest_in_plan, left, right) + forgiven_deg;
       }
-      case KeptBy::error:
-        return std::max(error(left), error(right)) <= claims_.max_error * (1 + forgiven_error) &&
-               std::max(error(low), error(high)) >= claims_.max_error * (1 - forgiven_error);
+      case KeptBy::error: {
+        const double most = std::max({claims_.bound, error(left), error(right)});
+        return std::max(error(low), error(high)) >= most * (1 - forgiven_error);
+      }
     }
     return false;
   }

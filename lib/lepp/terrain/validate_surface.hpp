@@ -11,7 +11,7 @@ namespace lepp {
 
 /// What a TIN by the surface metric claims besides M1 to M5.
 struct SurfaceClaims {
-  double max_error = 0;        ///< the error it was made for, in the unit of heights
+  double bound = 0;            ///< of the error, as SurfaceReport has it
   double plan_angle_deg = 15;  ///< what flips had to keep in plan
   std::vector<SphereViolation> violations = {};  ///< as SurfaceReport lists them
 };
