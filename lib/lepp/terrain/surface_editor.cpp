@@ -80,6 +80,7 @@ bool SurfaceEditor::split_with_fan(HalfEdge e) {
 void SurfaceEditor::move(VertexId v, const Star& star, Point p) {
   mesh_.move_vertex(v, p);
   terrain_.set_height(v);
+  ++moves_;
   now_.clear();
   for (const auto& side : star.link) now_.push_back(side.edge.triangle);
   terrain_.rescan(now_);

@@ -61,6 +61,7 @@ class SurfaceEditor {
   /// The shortest edge that makes sense in these coordinates.
   double floor() const { return floor_; }
 
+  std::size_t moves() const { return moves_; }
   std::size_t tame() const { return tame_; }
   std::size_t untame() const { return untame_; }
 
@@ -75,7 +76,7 @@ class SurfaceEditor {
   SurfaceFlips flips_;
   SurfaceStar star_;
   double clearance_, floor_;
-  std::size_t tame_ = 0, untame_ = 0;
+  std::size_t moves_ = 0, tame_ = 0, untame_ = 0;
   std::optional<HalfEdge> barrier_;
   std::vector<TriangleId> changed_;
   std::vector<TriangleId> now_;  // changed by the operation in hand

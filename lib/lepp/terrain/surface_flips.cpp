@@ -8,6 +8,14 @@
 
 namespace lepp {
 
+namespace {
+
+// cos^2 of two angles that differ by less may be those of the same one. By less than this no flip
+// betters the plan, or else a flip in plan could undo it for ever.
+constexpr double rounding = 1e-12;
+
+}  // namespace
+
 std::string to_string(KeptBy rule) {
   switch (rule) {
     case KeptBy::constraint:
@@ -36,10 +44,8 @@ std::optional<KeptBy> SurfaceFlips::kept_by_corners(const Quad& quad) const {
     return KeptBy::angle;
   }
   const double after = std::max(AngleTest::badness(r, p, s), AngleTest::badness(s, q, r));
-  if (after > plan_badness_ &&
-      after > std::max(AngleTest::badness(p, q, r), AngleTest::badness(q, p, s))) {
-    return KeptBy::plan_angle;
-  }
+  const double before = std::max(AngleTest::badness(p, q, r), AngleTest::badness(q, p, s));
+  if (after > plan_badness_ && after >= before - rounding) return KeptBy::plan_angle;
   return std::nullopt;
 }
 
@@ -53,12 +59,10 @@ std::optional<KeptBy> SurfaceFlips::kept_by(HalfEdge e) const {
 bool SurfaceFlips::breaks_error(HalfEdge e) const {
   const Mesh& mesh = terrain_.mesh();
   const HalfEdge f = *mesh.twin(e);
-  const double most =
-      std::max({error_, terrain_.error(e.triangle), terrain_.error(f.triangle)});
+  const double most = std::max({error_, terrain_.error(e.triangle), terrain_.error(f.triangle)});
   const TerrainCorner a = terrain_.corner(mesh.origin(e)), b = terrain_.corner(mesh.destination(e)),
                       c = terrain_.corner(mesh.apex(e)), d = terrain_.corner(mesh.apex(f));
-  return !terrain_.scan().is_within({c, a, d}, most) ||
-         !terrain_.scan().is_within({d, b, c}, most);
+  return !terrain_.scan().is_within({c, a, d}, most) || !terrain_.scan().is_within({d, b, c}, most);
 }
 
 bool SurfaceFlips::is_to_flip(HalfEdge e) const {

@@ -15,7 +15,9 @@ namespace lepp {
 /// the circle criterion of the plan, and an edge between a planar one and another stays.
 class SurfaceFlips {
  public:
-  /// \param plan_angle_deg  no flip makes an angle in plan that is below it and below what was
+  /// \param plan_angle_deg  a flip after which an angle in plan is below it has to raise the
+  /// smallest
+  ///                        of them
   SurfaceFlips(const SurfaceMetric& metric, TerrainMesh& terrain, double plan_angle_deg);
 
   /// No flip takes the error of its triangles above this, or above what it was if that is more.

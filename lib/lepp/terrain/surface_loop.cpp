@@ -29,7 +29,7 @@ SurfaceLoop::SurfaceLoop(const HeightGrid& grid, TerrainMesh& terrain, double mi
       plan_bound_(AngleTest::squared_cos(std::min(plan_angle_deg, min_angle_deg))),
       editor_(grid, terrain, std::min(plan_angle_deg, min_angle_deg)),
       repair_(editor_, min_angle_deg, std::min(plan_angle_deg, min_angle_deg)),
-      budget_(mesh_.vertex_count() + 2 * grid.size() + 1000) {
+      budget_(2 * grid.size() + 50 * (mesh_.vertex_count() + 1000)) {
   freeze();
 }
 
@@ -113,13 +113,24 @@ bool SurfaceLoop::take_turn() {
     reduce_error(*worst);
     if (!editor_.has_changed()) heap_->set(*worst, 0);
   } else if (editor_.flips().any_planar()) {
-    editor_.flip_planar_back();
+    return flip_back();
   } else if (const auto small = next(small_)) {
     if (repair_.is_improvable(*small)) repair_.improve(*small, Kind::space);
   } else {
     return false;
   }
   note_changes();
+  return true;
+}
+
+// Thin triangles that come back although no vertex came or moved have been tried in vain. So there
+// are no more rounds than insertions and moves.
+bool SurfaceLoop::flip_back() {
+  editor_.flip_planar_back();
+  note_changes();
+  const std::size_t work = mesh_.vertex_count() + editor_.moves();
+  if (work == work_at_flip_) thin_ = {};
+  work_at_flip_ = work;
   return true;
 }
 

@@ -64,6 +64,7 @@ class SurfaceLoop {
   void start(double error);
   bool may_go_on();
   bool take_turn();
+  bool flip_back();
   void note_changes();
   void add_targets(TriangleId t);
   std::optional<TriangleId> next(Targets& targets);
@@ -88,8 +89,8 @@ class SurfaceLoop {
   std::optional<ErrorHeap> heap_;
   Targets thin_, small_;  // below the bound in plan, and in space
   double error_ = 0;
-  std::size_t budget_;  // of vertices: every sample, and as many places between them
-  std::size_t most_vertices_ = 0, turns_ = 0;
+  std::size_t budget_;  // of vertices: twice the samples, and what refine() gives a domain
+  std::size_t most_vertices_ = 0, turns_ = 0, work_at_flip_ = 0;
   bool cancelled_ = false, started_ = false;
   std::optional<Candidate> best_;  // of the turn in hand
 };

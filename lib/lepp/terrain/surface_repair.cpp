@@ -17,11 +17,6 @@ constexpr std::size_t most_corners = 12;  // of a star whose center moves
 // The parts of the bound that moves try to reach, one after the other.
 constexpr double rungs[] = {1, 0.75, 0.55};
 
-double badness_in_plan(const Mesh& mesh, TriangleId t) {
-  const auto [a, b, c] = mesh.corners(t);
-  return AngleTest::badness(a, b, c);
-}
-
 double shortest_in_plan(const Mesh& mesh, TriangleId t) {
   const auto [a, b, c] = mesh.corners(t);
   return std::sqrt(
@@ -154,31 +149,34 @@ bool SurfaceRepair::insert_off_centre_in_space(TriangleId t) {
   return false;
 }
 
-// An off-centre, or the end of the LEPP, in plan. Where vertices are nearer than a cell already,
-// edges get no shorter than they are.
+// An off-centre, or the end of the LEPP, in plan, if possible where the star is better. Where
+// vertices are nearer than a cell already, edges get no shorter than they are.
 bool SurfaceRepair::insert_in_plan(TriangleId t) {
   const double least = std::min(editor_.clearance(), shortest_in_plan(mesh_, t));
   const auto [a, b, c] = mesh_.corners(t);
-  const Point p = off_centre_(a, b, c);
-  for (const Point q : {editor_.snapped(p), in_supported_range(p)}) {
-    const bool grown = editor_.grow(t, q, TerrainMetric::planar);
-    if (!grown && editor_.barrier()) return editor_.cut(*editor_.barrier(), least);
-    if (!grown) continue;
-    if (const auto e = editor_.star().encroached()) return editor_.cut(*e, least);
-    if (insert_if_better(t, q, least)) return true;
-  }
+  const double before = AngleTest::badness(a, b, c), anything = 2;
+  const Point off_centre = off_centre_(a, b, c);
   const HalfEdge terminal = terminal_edge(mesh_, t);
-  if (mesh_.is_constrained(terminal)) return editor_.cut(terminal, least);
   const Point middle =
       midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)));
-  return insert_if_better(t, editor_.snapped(middle), least) || insert_if_better(t, middle, least);
+  for (const double most : {before, anything}) {
+    for (const Point p : {off_centre, middle}) {
+      for (const Point q : {editor_.snapped(p), in_supported_range(p)}) {
+        if (insert_or_cut(t, q, most, least)) return true;
+      }
+    }
+  }
+  return mesh_.is_constrained(terminal) && editor_.cut(terminal, least);
 }
 
-bool SurfaceRepair::insert_if_better(TriangleId t, Point p, double least) {
-  if (!editor_.grow(t, p, TerrainMetric::planar)) return false;
+// A constrained edge in the way, or encroached, is cut instead.
+bool SurfaceRepair::insert_or_cut(TriangleId t, Point p, double most, double least) {
+  const bool grown = editor_.grow(t, p, TerrainMetric::planar);
+  if (!grown && editor_.barrier()) return editor_.cut(*editor_.barrier(), least);
+  if (!grown) return false;
   const SurfaceStar& star = editor_.star();
-  if (star.encroached() || star.clearance() < least) return false;
-  if (star.badness_in_plan() >= badness_in_plan(mesh_, t)) return false;
+  if (const auto e = star.encroached()) return editor_.cut(*e, least);
+  if (star.clearance() < least || star.badness_in_plan() >= most) return false;
   editor_.fill(TerrainMetric::planar);
   return true;
 }

@@ -55,7 +55,7 @@ class SurfaceRepair {
   double error_of_star(Point p) const;
   bool insert_off_centre_in_space(TriangleId t);
   bool insert_in_plan(TriangleId t);
-  bool insert_if_better(TriangleId t, Point p, double least);
+  bool insert_or_cut(TriangleId t, Point p, double most, double least);
 
   SurfaceEditor& editor_;
   TerrainMesh& terrain_;

@@ -14,7 +14,7 @@ enum class KeptBy {
   constraint,  ///< it is constrained: a side of the domain, or a breakline
   shape,       ///< its quadrilateral is not strictly convex in plan: it cannot be flipped
   angle,       ///< the smallest of the angles in space would not rise
-  plan_angle,  ///< an angle in plan would sink below what is promised there
+  plan_angle,  ///< an angle in plan would be below what is promised, and not above what it is
   error,       ///< its triangles would be off by more than the bound, and than they are
 };
 std::string to_string(KeptBy rule);
@@ -33,8 +33,8 @@ struct SurfaceReport {
   std::size_t below_bound = 0;    ///< triangles with an angle below the bound asked for
   // Of the surface metric alone:
   std::vector<SphereViolation> violations = {};  ///< all that are left, ascending by edge
-  double bound = 0;  ///< of the error, at the level where it ended: what rule `error` goes by
-  std::size_t tame = 0;                          ///< vertices inserted by the metric of space
+  double bound = 0;        ///< of the error, at the level where it ended: what rule `error` goes by
+  std::size_t tame = 0;    ///< vertices inserted by the metric of space
   std::size_t untame = 0;  ///< and by that of the plan, where the surface bends too much
 };
 

@@ -48,7 +48,8 @@ void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& leve
     is_coarse = is_coarse && mesh.vertex_count() >= levels.vertices();
     bound = levels.error();
     loop.run(bound, levels.vertices());
-  } while (!loop.cancelled() && levels.go_on(terrain.tin(), loop.largest_error()));
+  } while (!loop.cancelled() && !loop.out_of_budget() &&
+           levels.go_on(terrain.tin(), loop.largest_error()));
   const bool used_up = loop.out_of_budget() || mesh.vertex_count() >= options.max_vertices;
   const Reason otherwise = loop.cancelled() || levels.cancelled() ? Reason::cancelled
                            : used_up                              ? Reason::budget
