@@ -27,7 +27,9 @@ inline void check_surface(const HeightGrid& grid, const Tin& tin, const Simplify
   claims.min_angle_deg = plan_angle_deg;
   claims.unfinished = report.unfinished;
   CHECK(validate(tin.mesh, claims).summary() == "valid");
-  CHECK(validate_surface(grid, tin, {report.surface.bound, plan_angle_deg, report.surface.violations})
+  CHECK(validate_surface(
+            grid, tin,
+            {report.surface.bound, report.surface.plan_angle_deg, report.surface.violations})
             .summary() == "valid");
 }
 

@@ -24,11 +24,11 @@ SurfaceLoop::SurfaceLoop(const HeightGrid& grid, TerrainMesh& terrain, double mi
       mesh_(terrain.mesh()),
       go_on_(std::move(go_on)),
       angle_(min_angle_deg),
-      plan_angle_(std::min(plan_angle_deg, min_angle_deg)),
+      plan_angle_(plan_angle_deg(min_angle_deg)),
       bound_(AngleTest::squared_cos(min_angle_deg)),
-      plan_bound_(AngleTest::squared_cos(std::min(plan_angle_deg, min_angle_deg))),
-      editor_(grid, terrain, std::min(plan_angle_deg, min_angle_deg)),
-      repair_(editor_, min_angle_deg, std::min(plan_angle_deg, min_angle_deg)),
+      plan_bound_(AngleTest::squared_cos(plan_angle_deg(min_angle_deg))),
+      editor_(grid, terrain, plan_angle_deg(min_angle_deg)),
+      repair_(editor_, min_angle_deg, plan_angle_deg(min_angle_deg)),
       budget_(2 * grid.size() + 50 * (mesh_.vertex_count() + 1000)) {
   freeze();
 }
@@ -60,7 +60,8 @@ void SurfaceLoop::start(double error) {
     const TriangleId t(i);
     heap_->set(t, terrain_.error(t));
     const auto [a, b, c] = mesh_.corners(t);
-    if (started_ || !angle_.is_below(a, b, c)) add_targets(t);
+    if (started_) add_if_thin(t);
+    if (started_ || !angle_.is_below(a, b, c)) add_if_small(t);
   }
   started_ = true;
   editor_.flip_everywhere();
@@ -76,11 +77,14 @@ double SurfaceLoop::largest_error() const {
   return heap_->top() ? largest : std::min(largest, error_);
 }
 
-void SurfaceLoop::add_targets(TriangleId t) {
+void SurfaceLoop::add_if_thin(TriangleId t) {
   const auto [a, b, c] = mesh_.corners(t);
   if (plan_angle_.is_below(a, b, c)) {
     thin_.push({AngleTest::badness(a, b, c), t, mesh_.vertices(t)});
   }
+}
+
+void SurfaceLoop::add_if_small(TriangleId t) {
   const auto [p, q, r] = editor_.metric().corners(t);
   if (angle_.is_below(squared_distance(p, q), squared_distance(q, r), squared_distance(r, p))) {
     small_.push({badness(p, q, r), t, mesh_.vertices(t)});
@@ -90,7 +94,8 @@ void SurfaceLoop::add_targets(TriangleId t) {
 void SurfaceLoop::note_changes() {
   for (const TriangleId t : editor_.changed()) {
     heap_->set(t, terrain_.error(t));
-    add_targets(t);
+    add_if_thin(t);
+    add_if_small(t);
   }
   editor_.forget();
 }

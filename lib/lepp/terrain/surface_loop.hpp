@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -39,8 +40,12 @@ class SurfaceLoop {
   }
   const SurfaceEditor& editor() const { return editor_; }
 
-  /// No flip and no tame insertion makes an angle in plan that is below this, or below the bound.
-  static constexpr double plan_angle_deg = 15;
+  /// No flip and no tame insertion makes an angle in plan that is below this: 15 degrees, or the
+  /// bound if that is less, but never so small that rounding could fold triangles.
+  static double plan_angle_deg(double min_angle_deg) {
+    return std::clamp(min_angle_deg, 1.0, largest_plan_angle_deg);
+  }
+  static constexpr double largest_plan_angle_deg = 15;
 
  private:
   using Kind = SurfaceRepair::Kind;
@@ -66,7 +71,8 @@ class SurfaceLoop {
   bool take_turn();
   bool flip_back();
   void note_changes();
-  void add_targets(TriangleId t);
+  void add_if_thin(TriangleId t);
+  void add_if_small(TriangleId t);
   std::optional<TriangleId> next(Targets& targets);
 
   void reduce_error(TriangleId t);

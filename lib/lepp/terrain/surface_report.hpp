@@ -33,9 +33,10 @@ struct SurfaceReport {
   std::size_t below_bound = 0;    ///< triangles with an angle below the bound asked for
   // Of the surface metric alone:
   std::vector<SphereViolation> violations = {};  ///< all that are left, ascending by edge
-  double bound = 0;        ///< of the error, at the level where it ended: what rule `error` goes by
-  std::size_t tame = 0;    ///< vertices inserted by the metric of space
-  std::size_t untame = 0;  ///< and by that of the plan, where the surface bends too much
+  double bound = 0;  ///< of the error, at the level where it ended: what rule `error` goes by
+  double plan_angle_deg = 0;  ///< what rule `plan_angle` goes by
+  std::size_t tame = 0;       ///< vertices inserted by the metric of space
+  std::size_t untame = 0;     ///< and by that of the plan, where the surface bends too much
 };
 
 }  // namespace lepp

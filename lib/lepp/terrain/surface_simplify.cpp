@@ -55,9 +55,10 @@ void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& leve
                            : used_up                              ? Reason::budget
                                                                   : Reason::size_floor;
   report.unfinished = small_angles_in_plan(
-      mesh, std::min(SurfaceLoop::plan_angle_deg, options.min_angle_deg), otherwise);
+      mesh, std::min(SurfaceLoop::largest_plan_angle_deg, options.min_angle_deg), otherwise);
   report.surface.violations = loop.editor().flips().violations();
   report.surface.bound = bound;
+  report.surface.plan_angle_deg = SurfaceLoop::plan_angle_deg(options.min_angle_deg);
   report.surface.tame = loop.editor().tame();
   report.surface.untame = loop.editor().untame();
 }

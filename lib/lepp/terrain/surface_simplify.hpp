@@ -12,7 +12,7 @@ namespace lepp {
 /// on the error, gives the mesh of the domain its angles in plan; SurfaceLoop goes on from there,
 /// and has nothing to do where the surface is level.
 /// \param report  gets `unfinished`, here triangles with an angle in plan below
-///                SurfaceLoop::plan_angle_deg, and what `surface` says of violations
+///                15 degrees or the bound, and what `surface` says of violations
 void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& levels,
                       const SimplifyOptions& options, SimplifyReport& report);
 
