@@ -1,4 +1,4 @@
-# What `cmake --install` puts where: the program, its helper, both libraries, the headers that
+# What `cmake --install` puts where: the program, its helpers, both libraries, the headers that
 # users include, and what find_package() and pkg-config need. The installed tree may be moved.
 
 include(GNUInstallDirs)
@@ -42,17 +42,22 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/region.hpp
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
+  lepp/terrain/height_grid.hpp
+  lepp/terrain/terrain_domain.hpp
   lepp/voronoi/admissible.hpp
   lepp/voronoi/voronoi_boxes.hpp)
 target_sources(lepp_io PUBLIC FILE_SET HEADERS
   BASE_DIRS ${CMAKE_CURRENT_SOURCE_DIR} FILES
+  lepp/io/gdal_options.hpp
   lepp/io/geo.hpp
   lepp/io/gmsh_import.hpp
+  lepp/io/height_grid_read.hpp
   lepp/io/msh.hpp
   lepp/io/picture.hpp
   lepp/io/plot.hpp
   lepp/io/poly.hpp
   lepp/io/report.hpp
+  lepp/io/terrain_lines.hpp
   lepp/io/vtu.hpp)
 
 # Shared libraries are found from where the program and the libraries themselves are.
@@ -61,7 +66,7 @@ set_target_properties(lepp_program PROPERTIES INSTALL_RPATH $ORIGIN/${lepp_bin_t
 set_target_properties(lepp_io PROPERTIES INSTALL_RPATH $ORIGIN)
 
 set(lepp_config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lepp)
-install(TARGETS lepp_program RUNTIME)  # gmsh_helper/CMakeLists.txt installs lepp-gmsh
+install(TARGETS lepp_program RUNTIME)  # each helper's folder installs its own
 install(TARGETS lepp_core lepp_io EXPORT leppTargets FILE_SET HEADERS)
 install(EXPORT leppTargets NAMESPACE lepp:: DESTINATION ${lepp_config_folder})
 

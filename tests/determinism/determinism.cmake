@@ -12,7 +12,7 @@ target_link_libraries(determinism_hashes PRIVATE lepp::io)
 get_target_property(sources lepp_core SOURCES)
 list(FILTER sources EXCLUDE REGEX "voronoi/|nonobtuse/")
 foreach(name atomic_files boundary_loops entity_table line_reader msh msh_entities places poly_read
-        poly_write text_file)
+        poly_write input_file text_file)
   list(APPEND sources lepp/io/${name}.cpp)
 endforeach()
 list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/lib/)

@@ -1,53 +1,29 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "lepp/terrain/height_grid.hpp"
-#include "lepp/terrain/simplify.hpp"
-#include "lepp/terrain/terrain_domain.hpp"
-#include "support/random.hpp"
-#include "support/shapes.hpp"
 
 namespace lepp::test {
 
-/// A grid whose heights are height(column, row of the file).
-template <class Height>
-HeightGrid grid_of(std::uint32_t columns, std::uint32_t rows, Height height) {
+/// A grid from a picture, the northern row first: a digit is a height, '.' is no data.
+inline HeightGrid grid_of(const std::vector<std::string>& rows, double aspect = 1) {
   HeightGrid grid;
-  grid.columns = columns;
-  grid.rows = rows;
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    for (std::uint32_t column = 0; column < columns; ++column) {
-      grid.heights.push_back(static_cast<float>(height(column, row)));
+  grid.source = "picture";
+  grid.columns = static_cast<std::uint32_t>(rows.front().size());
+  grid.rows = static_cast<std::uint32_t>(rows.size());
+  for (const std::string& row : rows) {
+    for (const char c : row) {
+      grid.heights.push_back(c == '.' ? std::numeric_limits<float>::quiet_NaN()
+                                      : static_cast<float>(c - '0'));
     }
   }
+  grid.cell_height = aspect;
+  grid.step_y = -aspect;
+  grid.origin = {0, (grid.rows - 1) * aspect};
   return grid;
-}
-
-/// Smooth hills 100 high; some 20 cells from top to top.
-inline double hill(double x, double y) {
-  return 50 * (std::sin(0.31 * x) * std::cos(0.23 * y) + std::sin(0.07 * x + 0.11 * y));
-}
-inline HeightGrid hills(std::uint32_t columns, std::uint32_t rows) {
-  return grid_of(columns, rows, [](double x, double y) { return hill(x, y); });
-}
-/// Hills in whole numbers, with a cliff across and noise: flat places, ties and jumps.
-inline HeightGrid rough(std::uint32_t columns, std::uint32_t rows, std::uint64_t seed) {
-  Random random(seed);
-  return grid_of(columns, rows, [&](double x, double y) {
-    const double noise = static_cast<double>(random.below(5));
-    return std::round(hill(x, y) + noise + (x > y + 3 ? 40 : 0));
-  });
-}
-
-/// The whole grid, its four corners.
-inline TerrainDomain rectangle(const HeightGrid& grid) {
-  const double w = grid.columns - 1, h = (grid.rows - 1) * grid.aspect();
-  TerrainDomain domain;
-  domain.pslg = polygon({0, 0, w, 0, w, h, 0, h});
-  return domain;
 }
 
 }  // namespace lepp::test

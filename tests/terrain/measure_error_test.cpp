@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "lepp/triangulation/constrained_delaunay.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 #include "terrain/plain_error.hpp"
 
 using namespace lepp;

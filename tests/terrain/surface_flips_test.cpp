@@ -26,7 +26,7 @@ struct Four {
                        return x == 0 && row == 1 ? height_of_d : 0.0;
                      })),
         terrain(grid, domain(keep_diagonal)),
-        metric(grid, terrain) {
+        metric(terrain) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (!terrain.mesh().is_boundary({TriangleId(0U), i})) diagonal = {TriangleId(0U), i};
     }

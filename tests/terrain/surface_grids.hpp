@@ -2,7 +2,7 @@
 
 #include "lepp/terrain/validate_surface.hpp"
 #include "lepp/triangulation/validate.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 
 namespace lepp::test {
 

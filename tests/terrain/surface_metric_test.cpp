@@ -8,7 +8,7 @@
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/terrain/surface_simplify.hpp"
 #include "lepp/triangulation/lepp.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 
 using namespace lepp;
 using namespace lepp::test;
@@ -90,7 +90,7 @@ TEST_CASE("The longest edge in space: heights count in widths of a cell, ties as
   HeightGrid grid = grid_of(5, 5, [](double x, double) { return x == 4 ? 300 : 0; });
   grid.cell_width = grid.cell_height = 30;  // the cliff is 10 cells high
   TerrainMesh terrain(grid, rectangle(grid));
-  const SurfaceMetric metric(grid, terrain);
+  const SurfaceMetric metric(terrain);
   CHECK(metric.at(Point{4, 2}).z == doctest::Approx(10));
   for (std::size_t i = 0; i < terrain.mesh().triangle_count(); ++i) {
     const TriangleId t(i);
@@ -99,7 +99,7 @@ TEST_CASE("The longest edge in space: heights count in widths of a cell, ties as
   }
   const HeightGrid flat = grid_of(9, 7, [](double, double) { return 3; });
   TerrainMesh level(flat, rectangle(flat));
-  const SurfaceMetric plane(flat, level);
+  const SurfaceMetric plane(level);
   for (std::size_t i = 0; i < level.mesh().triangle_count(); ++i) {
     CHECK(plane.terminal_edge(TriangleId(i)) == terminal_edge(level.mesh(), TriangleId(i)));
   }

@@ -35,7 +35,7 @@ TEST_CASE("SurfaceStar: the star that grows is the star that is filled, in space
   for (const TerrainMetric kind : {TerrainMetric::surface, TerrainMetric::planar}) {
     for (const HeightGrid& grid : {steep_hills(40, 30), wild(40, 30, 5)}) {
       TerrainMesh terrain(grid, rectangle(grid));
-      const SurfaceMetric metric(grid, terrain);
+      const SurfaceMetric metric(terrain);
       SurfaceFlips flips(metric, terrain, 15);
       SurfaceStar star(metric, flips, terrain);
       Random random(3);
@@ -63,7 +63,7 @@ TEST_CASE("SurfaceStar: the star that grows is the star that is filled, in space
 TEST_CASE("SurfaceStar: on level ground both metrics grow the same star") {
   const HeightGrid grid = grid_of(30, 30, [](double, double) { return 4; });
   TerrainMesh terrain(grid, rectangle(grid));
-  const SurfaceMetric metric(grid, terrain);
+  const SurfaceMetric metric(terrain);
   SurfaceFlips flips(metric, terrain, 15);
   SurfaceStar star(metric, flips, terrain);
   Random random(8);
@@ -87,7 +87,7 @@ TEST_CASE("SurfaceStar: on level ground both metrics grow the same star") {
 TEST_CASE("SurfaceStar: no star at a vertex or on a constrained edge") {
   const HeightGrid grid = hills(20, 20);
   TerrainMesh terrain(grid, rectangle(grid));
-  const SurfaceMetric metric(grid, terrain);
+  const SurfaceMetric metric(terrain);
   SurfaceFlips flips(metric, terrain, 15);
   SurfaceStar star(metric, flips, terrain);
   const auto grows = [&](Point p) {
@@ -105,7 +105,7 @@ TEST_CASE("SurfaceStar: tame means hardly folded, and shorter edges") {
   const HeightGrid grid =
       grid_of(21, 21, [](double x, double y) { return x == 8 && y == 12 ? 200 : 0; });
   TerrainMesh terrain(grid, rectangle(grid));
-  const SurfaceMetric metric(grid, terrain);
+  const SurfaceMetric metric(terrain);
   SurfaceFlips flips(metric, terrain, 15);
   SurfaceStar star(metric, flips, terrain);
   const auto grow = [&](Point p) {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "lepp/geometry/predicates.hpp"
-#include "terrain/grids.hpp"
+#include "terrain/hills.hpp"
 
 using namespace lepp;
 using namespace lepp::test;
@@ -30,6 +30,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> samples(const HeightGrid& grid
   TriangleSpans spans(grid);
   spans(t, [&](const ScanSpan& s) {
     for (std::uint32_t c = s.first; c <= s.last; ++c) CHECK(found.insert({c, s.line}).second);
+    return true;
   });
   return found;
 }

@@ -3,7 +3,10 @@ add_library(lepp_io
   lepp/io/atomic_files.cpp
   lepp/io/boundary_loops.cpp
   lepp/io/entity_table.cpp
+  lepp/io/gdal_process.cpp
+  lepp/io/gdal_record.cpp
   lepp/io/geo.cpp
+  lepp/io/geojson.cpp
   lepp/io/gmsh_chords.cpp
   lepp/io/gmsh_curve_fit.cpp
   lepp/io/gmsh_element_types.cpp
@@ -21,19 +24,35 @@ add_library(lepp_io
   lepp/io/gmsh_soup.cpp
   lepp/io/gmsh_statements.cpp
   lepp/io/gmsh_tokens.cpp
+  lepp/io/grid_asc.cpp
+  lepp/io/grid_f32.cpp
+  lepp/io/grid_npy.cpp
+  lepp/io/grid_pgm.cpp
+  lepp/io/grid_stm.cpp
+  lepp/io/header_words.cpp
+  lepp/io/height_grid_read.cpp
+  lepp/io/helper_process.cpp
+  lepp/io/input_file.cpp
   lepp/io/line_reader.cpp
   lepp/io/loops.cpp
   lepp/io/msh.cpp
   lepp/io/msh_entities.cpp
+  lepp/io/number_stream.cpp
   lepp/io/picture.cpp
   lepp/io/places.cpp
   lepp/io/plot.cpp
   lepp/io/poly_read.cpp
   lepp/io/poly_write.cpp
+  lepp/io/raster_layout.cpp
+  lepp/io/raster_samples.cpp
+  lepp/io/record_archive.cpp
   lepp/io/report.cpp
   lepp/io/report_text.cpp
+  lepp/io/sample_values.cpp
   lepp/io/size_file.cpp
+  lepp/io/terrain_lines.cpp
   lepp/io/text_file.cpp
+  lepp/io/text_grid.cpp
   lepp/io/vtu.cpp)
 add_library(lepp::io ALIAS lepp_io)
 target_compile_features(lepp_io PUBLIC cxx_std_20)

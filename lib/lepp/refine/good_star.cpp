@@ -134,27 +134,8 @@ bool GoodStar::encroaches_link(Point p) const {
   });
 }
 
-// Flips will join p to what lies beyond the link, as far as circumcircles hold p.
 bool GoodStar::encroaches_beyond_link(Point p) {
-  if (encroaching_allowed_) return false;
-  stack_.clear();
-  for (const auto& side : star_.link) stack_.push_back(side.edge);
-  std::size_t left = mesh_.triangle_count();
-  while (!stack_.empty()) {  // ends: by `left`, long before by the tree that cavities are
-    const HalfEdge e = stack_.back();
-    stack_.pop_back();
-    if (mesh_.is_constrained(e)) {
-      if (would_encroach(mesh_, e, p)) return true;
-      continue;
-    }
-    const HalfEdge f = *mesh_.twin(e);
-    const auto [a, b, c] = mesh_.corners(f.triangle);
-    if (incircle(a, b, c, p) <= 0) continue;
-    if (left-- == 0) return true;
-    stack_.push_back(previous_edge(f));
-    stack_.push_back(next_edge(f));
-  }
-  return false;
+  return !encroaching_allowed_ && lepp::encroaches_beyond_link(mesh_, star_, p, stack_);
 }
 
 }  // namespace lepp

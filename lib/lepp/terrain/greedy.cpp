@@ -11,9 +11,12 @@ void greedy(TerrainMesh& terrain, Levels& levels, std::vector<double>& error_of_
   }
   std::vector<TriangleId> changed;
   error_of_prefix.push_back(heap.top_error());
-  while (levels.go_on(terrain.tin(), heap.top_error())) {
+  while (levels.ask_now_and_then(terrain.mesh().vertex_count())) {
+    if (levels.has_ended(terrain.tin(), heap.top_error())) {
+      if (!levels.next(terrain.tin(), heap.top_error())) return;
+      continue;
+    }
     const auto t = heap.top();
-    if (!t) return;
     changed.clear();
     if (!terrain.insert(*t, terrain.worst(*t).at, changed)) {
       heap.set(*t, 0);

@@ -18,26 +18,27 @@ namespace lepp {
 /// y = origin.y + row * step_y, where row 0 is the first row of the file (the northern one if
 /// step_y < 0). Grid space is what everything is computed in: x = column, y = row * aspect, counted
 /// from the southern row, so that y grows as the world's y does. A cell is 1 wide in grid space and
-/// `aspect` high, its true proportions; samples of square cells have integer coordinates, which
-/// keeps all predicates exact and fast.
+/// `aspect` high, its true proportions to 24 bits: so row * aspect is exact, samples on a line are
+/// exactly collinear whatever the cell is like, and all predicates are fast.
 struct HeightGrid {
   std::uint32_t columns = 0, rows = 0;
   std::vector<float> heights;  ///< row by row, row 0 first; NaN where there is no data
   /// Largest |height of the file - height here|: 0 unless the file's numbers are not floats.
   double rounding = 0;
 
-  Point origin;               ///< world coordinates of sample (0, 0): pixel centres
-  double step_x = 1;          ///< world distance from column to column, > 0
-  double step_y = -1;         ///< from row to row; < 0: row 0 is the northern one
-  bool georeferenced = false; ///< false: the three above are made up
-  bool degrees = false;       ///< world coordinates are longitude and latitude
-  std::string crs;            ///< coordinate reference system as WKT, or empty
+  Point origin;                ///< world coordinates of sample (0, 0): pixel centres
+  double step_x = 1;           ///< world distance from column to column, > 0
+  double step_y = -1;          ///< from row to row; < 0: row 0 is the northern one
+  bool georeferenced = false;  ///< false: the three above are made up
+  bool degrees = false;        ///< world coordinates are longitude and latitude
+  std::string crs;             ///< coordinate reference system as WKT, or empty
   /// Width and height of a cell in the unit of the heights, as far as known: of geographic grids
   /// in metres at the middle latitude.
   double cell_width = 1, cell_height = 1;
-  std::string source;  ///< what messages call it
+  std::string source;                 ///< what messages call it
+  std::vector<std::string> warnings;  ///< of the reader: one sentence each, ready to print
 
-  double aspect() const { return cell_height / cell_width; }
+  double aspect() const { return double(float(cell_height / cell_width)); }
   bool north_first() const { return step_y < 0; }
   std::size_t size() const { return std::size_t{columns} * rows; }
   std::size_t index(std::uint32_t column, std::uint32_t row) const {
@@ -69,5 +70,16 @@ struct HeightGrid {
     return {(world.x - origin.x) / step_x, line * aspect()};
   }
 };
+
+/// A part of a grid: `columns` x `rows` samples from (column, row) on, counted as in the file.
+struct GridWindow {
+  std::uint32_t column = 0, row = 0;
+  std::uint32_t columns = 0, rows = 0;
+};
+
+/// Cells of a grid in degrees get their size in metres, at the middle latitude of the grid, on the
+/// ellipsoid of WGS84 and GRS80.
+/// \throw InputError  the middle latitude is no latitude
+void set_cell_from_degrees(HeightGrid& grid);
 
 }  // namespace lepp

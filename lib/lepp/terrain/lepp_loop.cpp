@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "lepp/geometry/predicates.hpp"
-#include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/flip.hpp"
@@ -19,33 +18,69 @@ namespace lepp {
 
 namespace {
 
+// One move may undo another, so that only a limit makes an end certain; few get near it.
 constexpr std::uint8_t most_moves = 20;
+// A fuller star hardly ever has a place with all angles good.
+constexpr std::size_t most_triangles = 12;
+// Edges shorter than this, in cells, leave no choice between samples.
+constexpr double short_edge = 2;
+// A line is cut at a sample in the middle part of it, if it is long enough to have one there.
+constexpr double first_part = 0.35, shortest_with_choice = 3;
+// An off-centre may move to the next sample if that is this much nearer than the triangle.
+constexpr double near_enough = 0.02;
+
+// Below a degree places are looked for as for one.
+double of_places(double min_angle_deg) { return std::max(min_angle_deg, 1.0); }
 
 }  // namespace
 
-LeppLoop::LeppLoop(const HeightGrid& grid, TerrainMesh& terrain, const SimplifyOptions& options)
-    : grid_(grid),
-      terrain_(terrain),
+LeppLoop::LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<bool()> go_on)
+    : terrain_(terrain),
       mesh_(terrain.mesh()),
-      angle_(options.min_angle_deg),
-      bound_(AngleTest::squared_cos(options.min_angle_deg)),
-      off_centre_(options.min_angle_deg),
-      place_(options.min_angle_deg),
+      go_on_(std::move(go_on)),
+      angle_(min_angle_deg),
+      bound_(AngleTest::squared_cos(min_angle_deg)),
+      off_centre_(of_places(min_angle_deg)),
+      place_(of_places(min_angle_deg)),
+      floor_(default_size_floor(mesh_)),
+      any_sharp_(segments_meet_sharply(mesh_)),
       frozen_(mesh_.vertex_count()),
-      floor_(default_size_floor(mesh_)) {
-  target_options_.min_angle_deg = options.min_angle_deg;
+      budget_(4 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
+  asked_.min_angle_deg = min_angle_deg;
 }
 
 void LeppLoop::run(double error, std::size_t vertices) {
   error_ = error;
-  most_vertices_ = vertices;
-  targets_.emplace(mesh_, target_options_);
-  heap_.emplace(error);
+  kept_.reset();
+  const bool is_limited = vertices < std::numeric_limits<std::size_t>::max();
+  terrain_.set_enough(is_limited ? std::numeric_limits<double>::infinity() : error);
+  start();
+  while (may_go_on() && take_turn(vertices)) note_changes();
+  if (!kept_ || (mesh_.vertex_count() <= vertices && heap_->top_error() <= kept_error_)) return;
+  terrain_.restore(std::move(*kept_));
+  kept_.reset();
+  start();
+}
+
+bool LeppLoop::met_kept_border(TriangleId t) const {
+  return std::ranges::find(at_kept_border_, mesh_.vertices(t)) != at_kept_border_.end();
+}
+
+void LeppLoop::start() {
+  at_kept_border_.clear();
+  moves_.clear();
+  if (any_sharp_) encroached_.emplace(mesh_);
+  targets_.emplace(mesh_, asked_);
+  heap_.emplace(error_);
   for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
     targets_->add(mesh_, TriangleId(t));
     heap_->set(TriangleId(t), terrain_.error(TriangleId(t)));
   }
-  while (mesh_.vertex_count() < most_vertices_ && take_turn()) note_changes();
+}
+
+bool LeppLoop::may_go_on() {
+  cancelled_ = cancelled_ || !go_on_();
+  return !cancelled_ && !out_of_budget();
 }
 
 double LeppLoop::largest_error() const {
@@ -53,7 +88,6 @@ double LeppLoop::largest_error() const {
   for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
     largest = std::max(largest, terrain_.error(TriangleId(t)));
   }
-  // Nothing left to do: what is still off can not be mended.
   return heap_->top() ? largest : std::min(largest, error_);
 }
 
@@ -62,84 +96,208 @@ void LeppLoop::note_changes() {
   std::ranges::sort(changed_);
   changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
   terrain_.rescan(changed_);
+  terrain_.choose_diagonals(changed_, error_);
+  if (encroached_) encroached_->update(mesh_, changed_);
   for (const TriangleId t : changed_) {
     targets_->add(mesh_, t);
     heap_->set(t, terrain_.error(t));
   }
 }
 
-bool LeppLoop::take_turn() {
+// False if there is nothing left to do.
+bool LeppLoop::take_turn(std::size_t vertices) {
   changed_.clear();
+  target_.reset();
+  if (const auto e = encroached_ ? encroached_->next(mesh_) : std::nullopt) {
+    if (!at_input_feature(mesh_, e->triangle, 2 * floor_)) cut(*e);
+    return true;
+  }
   if (const auto t = targets_->next(mesh_)) {
-    if (is_improvable(*t)) {
-      const auto before = mesh_.vertices(*t);
-      if (improve(*t) && mesh_.vertices(*t) == before) targets_->add(mesh_, *t);
-    }
+    target_ = t;
+    if (!is_improvable(*t)) return true;
+    const auto before = mesh_.vertices(*t);
+    if (improve(*t) && mesh_.vertices(*t) == before) targets_->add(mesh_, *t);
     return true;
   }
-  if (const auto t = heap_->top()) {
-    reduce_error(*t);
-    if (changed_.empty()) heap_->set(*t, 0);
-    return true;
-  }
-  return false;
+  if (mesh_.vertex_count() > vertices) return false;
+  keep_if_best(vertices);
+  const auto t = heap_->top();
+  if (!t || mesh_.vertex_count() == vertices) return false;
+  reduce_error(*t);
+  if (changed_.empty()) heap_->set(*t, 0);
+  return true;
 }
+
+// Small angles that an insertion leaves can take more vertices than there are to be: near the end
+// the best that has been is kept.
+void LeppLoop::keep_if_best(std::size_t vertices) {
+  constexpr std::size_t few = 2000, last = 16;
+  if (vertices == std::numeric_limits<std::size_t>::max()) return;
+  const std::size_t count = mesh_.vertex_count();
+  const std::size_t from = vertices < few ? vertices / 2 : vertices - last;
+  const double error = heap_->top_error();
+  if (count < from || (kept_ && error >= kept_error_)) return;
+  kept_ = terrain_.save();
+  kept_error_ = error;
+}
+
+// ---- small angles -------------------------------------------------------------------------------
 
 bool LeppLoop::is_improvable(TriangleId t) const {
   return !smallest_angle_between_constrained(mesh_, t) && !shortest_edge_is_seditious(mesh_, t) &&
          !at_input_feature(mesh_, t, 2 * floor_);
 }
 
+// As UnifiedLoop does, but for the samples.
 bool LeppLoop::improve(TriangleId t) {
   if (move_a_corner(t)) return true;
   const auto [a, b, c] = mesh_.corners(t);
-  return insert_near(t, in_supported_range(off_centre_(a, b, c)));
+  const Point p = in_supported_range(off_centre_(a, b, c)), at_sample = terrain_.snapped(p);
+  if (insert_at_good_place(t, at_sample) || insert_at_good_place(t, p)) return true;
+  if (squared_distance(p, at_sample) <= near_enough * squared_distance(a, p) &&
+      find_cavity(t, at_sample) && !encroached_by(at_sample)) {
+    fill(at_sample);
+    return true;
+  }
+  return insert_or_cut(t, p);
 }
 
 bool LeppLoop::move_a_corner(TriangleId t) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    if (move_corner(t, i)) return true;
+    if (!find_free_star(t, i)) continue;
+    const VertexId v = mesh_.vertex(t, i);
+    const auto place = place_.find(star_, mesh_.point(v));
+    if (!place) continue;
+    double limit = error_;
+    for (const auto& side : star_.link) {
+      limit = std::max(limit, terrain_.error(side.edge.triangle));
+    }
+    for (const Point p : {terrain_.snapped(*place), in_supported_range(*place)}) {
+      if (!is_good_center(p) || error_of_star(p) > limit) continue;
+      if (any_sharp_ && encroaches_beyond_link(mesh_, star_, p, suspects_)) continue;
+      move_vertex(mesh_, v, star_, p, changed_);
+      terrain_.set_height(v);
+      ++moves_[v.index()];
+      return true;
+    }
   }
   return false;
 }
 
-bool LeppLoop::move_corner(TriangleId t, std::uint32_t corner) {
+bool LeppLoop::find_free_star(TriangleId t, std::uint32_t corner) {
   const VertexId v = mesh_.vertex(t, corner);
   if (v.index() < frozen_ || mesh_.origin_of(v).kind != VertexOrigin::Kind::interior) return false;
   if (moves_.size() <= v.index()) moves_.resize(2 * mesh_.vertex_count(), 0);
-  if (moves_[v.index()] == most_moves || !find_star(mesh_, t, corner, star_, 12)) return false;
-  const auto place = place_.find(star_, mesh_.point(v));
+  return moves_[v.index()] < most_moves && find_star(mesh_, t, corner, star_, most_triangles);
+}
+
+bool LeppLoop::is_good_center(Point p) const {
+  if (!sees_link(star_, p)) return false;
+  for (std::size_t i = 0; i < star_.size(); ++i) {
+    const auto& [edge, from, constrained] = star_.link[i];
+    if (angle_.is_below(p, from, star_.to(i))) return false;
+    if (constrained && would_encroach(mesh_, edge, p)) return false;
+  }
+  return true;
+}
+
+double LeppLoop::error_of_star(Point p) const {
+  const TerrainCorner center = terrain_.space().corner(p, terrain_.height_of(p));
+  double worst = 0;
+  for (const auto& side : star_.link) {
+    const auto found = terrain_.scan().worst({center, terrain_.corner(mesh_.origin(side.edge)),
+                                              terrain_.corner(mesh_.destination(side.edge))});
+    worst = std::max(worst, found.error);
+  }
+  return worst;
+}
+
+bool LeppLoop::insert_at_good_place(TriangleId t, Point p) {
+  if (!find_cavity(t, p)) return false;
+  const auto place = good_place_in_cavity(p);
   if (!place) return false;
-  double before = error_;
-  for (const auto& side : star_.link) before = std::max(before, terrain_.error(side.edge.triangle));
-  for (const Point p : {snapped(*place), in_supported_range(*place)}) {
-    if (!sees_link(star_, p)) continue;
-    bool good = true;
-    for (std::size_t i = 0; good && i < star_.size(); ++i) {
-      good = !angle_.is_below(p, star_.from(i), star_.to(i)) &&
-             !(star_.link[i].constrained && would_encroach(mesh_, star_.link[i].edge, p));
-    }
-    if (!good || error_of_star(star_, p) > before) continue;
-    move_vertex(mesh_, v, star_, p, changed_);
-    terrain_.set_height(v);
-    ++moves_[v.index()];
+  for (const Point q : {terrain_.snapped(*place), in_supported_range(*place)}) {
+    if (!sees_link(star_, q) || encroached_by(q) || badness_of_star(q) > bound_) continue;
+    if (any_sharp_ && encroaches_beyond_link(mesh_, star_, q, suspects_)) continue;
+    fill(q);
     return true;
   }
   return false;
 }
 
-double LeppLoop::error_of_star(const Star& star, Point p) const {
-  const TerrainCorner center = terrain_.space().corner(p, terrain_.height_of(p));
-  double worst = 0;
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const HalfEdge e = star.link[i].edge;
-    worst = std::max(worst, terrain_.scan()
-                                .worst({center, terrain_.corner(mesh_.origin(e)),
-                                        terrain_.corner(mesh_.destination(e))})
-                                .error);
-  }
-  return worst;
+bool LeppLoop::insert_or_cut(TriangleId t, Point p) {
+  if (!find_cavity(t, p)) return barrier_ && cut(*barrier_);
+  if (const auto e = encroached_by(p)) return cut(*e);
+  fill(p);
+  return true;
 }
+
+// ---- errors -------------------------------------------------------------------------------------
+
+// The worst sample, if all angles around it would be good; else such a place in its cavity; else
+// the end of the LEPP; else whichever of these has the best angles. Among the samples themselves
+// there is no choice: then the worst one, whatever its angles.
+void LeppLoop::reduce_error(TriangleId t) {
+  const Sample s = terrain_.worst(t).at;
+  if (cut_line_at(t, s)) return;
+  const Point p = terrain_.space().place(s);
+  best_.reset();
+  if (find_cavity(t, p) && (fill_if_good(p) || insert_near_worst(t, p))) return;
+  const HalfEdge terminal = terminal_edge(mesh_, t);
+  if (squared_length(terminal) > short_edge * short_edge) {
+    if (insert_at_end_of_path(terminal) || insert_best(t)) return;
+  }
+  if (find_cavity(t, p)) {
+    const auto e = encroached_by(p);
+    if (e && cut(*e)) return;
+  }
+  terrain_.insert(t, s, changed_);
+}
+
+// True if the sample is on a line: that is cut there, or near there if that leaves better pieces.
+bool LeppLoop::cut_line_at(TriangleId t, Sample s) {
+  const Point p = terrain_.space().place(s);
+  const auto e = terrain_.constrained_edge_at(t, p);
+  if (!e) return false;
+  if (is_sharp(*e) && cut(*e)) return true;
+  if (!cut_at_sample_near(*e, p)) terrain_.insert(t, s, changed_);
+  return true;
+}
+
+bool LeppLoop::insert_if_good(TriangleId t, Point p) {
+  return find_cavity(t, p) && fill_if_good(p);
+}
+
+bool LeppLoop::fill_if_good(Point p) {
+  if (encroached_by(p)) return false;
+  const double badness = badness_of_star(p);
+  if (badness <= bound_) {
+    fill(p);
+    return true;
+  }
+  if (!best_ || badness < best_->badness) best_ = Candidate{p, badness};
+  return false;
+}
+
+bool LeppLoop::insert_near_worst(TriangleId t, Point p) {
+  const auto place = good_place_in_cavity(p);
+  return place && insert_if_good(t, terrain_.snapped(*place));
+}
+
+bool LeppLoop::insert_at_end_of_path(HalfEdge terminal) {
+  if (mesh_.is_constrained(terminal)) return cut(terminal);
+  const Point middle =
+      midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)));
+  return insert_if_good(terminal.triangle, terrain_.snapped(middle));
+}
+
+bool LeppLoop::insert_best(TriangleId t) {
+  if (!best_ || !find_cavity(t, best_->place)) return false;
+  fill(best_->place);
+  return true;
+}
+
+// ---- places and cuts ----------------------------------------------------------------------------
 
 bool LeppLoop::find_cavity(TriangleId t, Point p) {
   const WayEnd end = straight_walk(mesh_, t, p);
@@ -148,6 +306,15 @@ bool LeppLoop::find_cavity(TriangleId t, Point p) {
   if (cavity_.find(mesh_, end.triangle, p)) return true;
   barrier_ = encroached_by(p);  // p lies on it
   return false;
+}
+
+// Leaves the rim of the cavity in star_.
+std::optional<Point> LeppLoop::good_place_in_cavity(Point near) {
+  star_.link.clear();
+  for (const auto& rim : cavity_.rim()) {
+    star_.link.push_back({rim.inside, rim.from, rim.constrained});
+  }
+  return place_.find(star_, near);
 }
 
 std::optional<HalfEdge> LeppLoop::encroached_by(Point p) const {
@@ -169,129 +336,47 @@ double LeppLoop::badness_of_star(Point p) const {
 void LeppLoop::fill(Point p) {
   cavity_.fill(mesh_, p, {VertexOrigin::Kind::interior, 0});
   changed_.insert(changed_.end(), cavity_.triangles().begin(), cavity_.triangles().end());
-  stack_.clear();
+  suspects_.clear();
   for (const TriangleId t : cavity_.triangles()) {
-    stack_.push_back({t, 0});
-    stack_.push_back({t, 1});
+    suspects_.push_back({t, 0});
+    suspects_.push_back({t, 1});  // one spoke of each triangle
   }
-  restore_delaunay(mesh_, stack_, &changed_);
-}
-
-// The place for a triangle with a small angle: in the cavity of p where all angles are good, else
-// p.
-bool LeppLoop::insert_near(TriangleId t, Point p) {
-  const Point near = snapped(p);
-  for (const Point q : {near, p}) {
-    if (!find_cavity(t, q)) continue;
-    star_.link.clear();
-    for (const auto& rim : cavity_.rim())
-      star_.link.push_back({rim.inside, rim.from, rim.constrained});
-    const auto place = place_.find(star_, q);
-    if (!place) continue;
-    for (const Point r : {snapped(*place), in_supported_range(*place)}) {
-      if (!sees_link(star_, r) || encroached_by(r) || badness_of_star(r) > bound_) continue;
-      fill(r);
-      return true;
-    }
-  }
-  for (const Point q : {near, p}) {
-    if (q != p &&
-        squared_distance(p, q) > 0.02 * squared_distance(mesh_.point(mesh_.vertex(t, 0)), p))
-      continue;
-    if (!find_cavity(t, q)) {
-      if (q == p && barrier_) return cut(*barrier_);
-      continue;
-    }
-    if (const auto e = encroached_by(q)) {
-      if (cut(*e)) return true;
-      if (q == p) return false;
-      continue;
-    }
-    fill(q);
-    return true;
-  }
-  return false;
-}
-
-// What to do about a triangle that is off: its worst sample if the star of that is good, else a
-// good place in its cavity, else at the end of the LEPP; else whatever has the best angles.
-void LeppLoop::reduce_error(TriangleId t) {
-  const Sample s = terrain_.worst(t).at;
-  const Point p = terrain_.space().place(s);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge e{t, i};
-    if (!mesh_.is_constrained(e)) continue;
-    const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-    const double twice_area = cross(b - a, p - a);
-    if (twice_area * twice_area <= 1e-17 * squared_distance(a, b)) {
-      if (!cut_near(e, p)) terrain_.insert(t, s, changed_);
-      return;
-    }
-  }
-  std::optional<Candidate> best;
-  const auto try_place = [&](Point q) {
-    if (!find_cavity(t, q) || encroached_by(q)) return false;
-    const double badness = badness_of_star(q);
-    if (badness <= bound_) {
-      fill(q);
-      return true;
-    }
-    if (!best || badness < best->badness) best = Candidate{q, badness};
-    return false;
-  };
-  if (try_place(p)) return;
-  if (find_cavity(t, p)) {
-    star_.link.clear();
-    for (const auto& rim : cavity_.rim())
-      star_.link.push_back({rim.inside, rim.from, rim.constrained});
-    if (const auto place = place_.find(star_, p)) {
-      if (try_place(snapped(*place))) return;
-    }
-  }
-  const HalfEdge terminal = terminal_edge(mesh_, t);
-  const Point middle =
-      midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)));
-  const double longest = squared_distance(mesh_.point(mesh_.origin(terminal)),
-                                          mesh_.point(mesh_.destination(terminal)));
-  if (mesh_.is_constrained(terminal)) {
-    if (cut(terminal)) return;
-  } else if (longest > 4 && try_place(snapped(middle))) {
-    return;
-  }
-  if (longest > 4 && best && find_cavity(t, best->place)) {
-    fill(best->place);
-    return;
-  }
-  if (find_cavity(t, p)) {
-    if (const auto e = encroached_by(p); e && cut(*e)) return;
-    if (find_cavity(t, p)) {
-      fill(p);
-      return;
-    }
-  }
-  terrain_.insert(t, s, changed_);
-}
-
-bool LeppLoop::cut_near(HalfEdge e, Point p) {
-  const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  const double s = std::clamp(dot(p - a, b - a) / squared_distance(a, b), 0.35, 0.65);
-  const Point q = snapped(a + s * (b - a));
-  if (squared_distance(a, b) < 9 || orient2d(a, b, q) != 0) return false;
-  return terrain_.insert(e.triangle, terrain_.space().nearest(q), changed_);
+  restore_delaunay(mesh_, suspects_, &changed_);
 }
 
 bool LeppLoop::cut(HalfEdge e) {
-  if (!terrain_.may_cut(e)) return false;
+  if (!terrain_.may_cut(e)) {
+    if (target_) at_kept_border_.push_back(mesh_.vertices(*target_));
+    return false;
+  }
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  if (cut_near(e, midpoint(a, b))) return true;
-  const auto split = split_constrained_edge(mesh_, e, floor_);
+  if (cut_at_sample_near(e, midpoint(a, b))) return true;
+  const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
   changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
   return !split.vertices.empty();
 }
 
-Point LeppLoop::snapped(Point p) const {
-  const Sample s = terrain_.space().nearest(p);
-  return std::isnan(terrain_.space().height(s)) ? p : terrain_.space().place(s);
+bool LeppLoop::cut_at_sample_near(HalfEdge e, Point p) {
+  if (squared_length(e) < shortest_with_choice * shortest_with_choice || is_sharp(e)) return false;
+  const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
+  const double part =
+      std::clamp(dot(p - a, b - a) / squared_distance(a, b), first_part, 1 - first_part);
+  const Point q = terrain_.snapped(a + part * (b - a));
+  return orient2d(a, b, q) == 0 &&
+         terrain_.insert(e.triangle, terrain_.space().nearest(q), changed_);
+}
+
+// Edges at a sharp vertex are cut at common radii, not where a sample is.
+bool LeppLoop::is_sharp(HalfEdge e) const {
+  if (!any_sharp_) return false;
+  const auto is_center = [&](VertexId v) {
+    return mesh_.is_input(v) && fan_at(mesh_, e, v).exists();
+  };
+  return is_center(mesh_.origin(e)) || is_center(mesh_.destination(e));
+}
+
+double LeppLoop::squared_length(HalfEdge e) const {
+  return squared_distance(mesh_.point(mesh_.origin(e)), mesh_.point(mesh_.destination(e)));
 }
 
 }  // namespace lepp

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -9,73 +12,108 @@
 #include "lepp/refine/off_centre.hpp"
 #include "lepp/refine/target_buckets.hpp"
 #include "lepp/terrain/error_heap.hpp"
-#include "lepp/terrain/simplify.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
+#include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/relocate.hpp"
 
 namespace lepp {
 
-/// Simplification with angles in mind. Between two turns the mesh satisfies M1 to M6, and
+/// Inserts vertices until both bounds hold. Between two turns the mesh satisfies M1 to M6, and
 /// TerrainMesh knows the worst sample of each triangle. A turn takes a triangle with an angle below
-/// the bound, or else the one that is off most.
+/// the bound, or else the one that is off most, finds its place by its LEPP, its cavity or a star,
+/// and prefers places where all new angles reach the bound; samples before places between them.
 class LeppLoop {
  public:
-  LeppLoop(const HeightGrid& grid, TerrainMesh& terrain, const SimplifyOptions& options);
+  /// \param go_on  asked at each turn; false stops
+  LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<bool()> go_on);
 
-  /// Works until every error is at most `error`, every angle but those that cannot be bettered
-  /// reaches the bound, or there are `vertices` vertices.
+  /// Works until every error is at most `error` and every angle that can be bettered reaches the
+  /// bound. With `vertices` it ends with at most so many, at the least error that it came by.
+  /// Ends: samples become vertices once; other places are those of refine(), which are far apart;
+  /// a vertex may move only so often; and there is a budget.
   void run(double error, std::size_t vertices);
 
   /// Vertices that exist now stay where they are from now on.
-  bool freeze() {
-    frozen_ = mesh_.vertex_count();
-    return true;
-  }
+  void freeze() { frozen_ = mesh_.vertex_count(); }
+  std::size_t frozen() const { return frozen_; }
+  /// The largest error, or the bound of run() if what is above it cannot be mended.
   double largest_error() const;
+  /// True if the last run() gave up `t` because of a side of the domain that must stay whole.
+  bool met_kept_border(TriangleId t) const;
+  bool cancelled() const { return cancelled_; }
+  bool out_of_budget() const { return mesh_.vertex_count() >= budget_; }
 
  private:
-  // A place for a vertex, and the worst angle of the star it would get.
+  // A place for a vertex, and the worst angle of the star it would get, as cos^2.
   struct Candidate {
     Point place;
     double badness;
   };
 
-  bool take_turn();
+  void start();
+  bool may_go_on();
+  bool take_turn(std::size_t vertices);
   void note_changes();
+  void keep_if_best(std::size_t vertices);
+
   bool is_improvable(TriangleId t) const;
   bool improve(TriangleId t);
-  void reduce_error(TriangleId t);
   bool move_a_corner(TriangleId t);
-  bool move_corner(TriangleId t, std::uint32_t corner);
-  bool insert_near(TriangleId t, Point p);
+  bool find_free_star(TriangleId t, std::uint32_t corner);
+  bool is_good_center(Point p) const;
+  double error_of_star(Point p) const;
+  bool insert_at_good_place(TriangleId t, Point p);
+  bool insert_or_cut(TriangleId t, Point p);
+
+  void reduce_error(TriangleId t);
+  bool cut_line_at(TriangleId t, Sample s);
+  bool insert_if_good(TriangleId t, Point p);
+  bool fill_if_good(Point p);
+  bool insert_near_worst(TriangleId t, Point p);
+  bool insert_at_end_of_path(HalfEdge terminal);
+  bool insert_best(TriangleId t);
+
   bool find_cavity(TriangleId t, Point p);
+  std::optional<Point> good_place_in_cavity(Point near);
   std::optional<HalfEdge> encroached_by(Point p) const;
   double badness_of_star(Point p) const;
   void fill(Point p);
   bool cut(HalfEdge e);
-  bool cut_near(HalfEdge e, Point p);
-  Point snapped(Point p) const;
-  double error_of_star(const Star& star, Point p) const;
+  bool cut_at_sample_near(HalfEdge e, Point p);
+  bool is_sharp(HalfEdge e) const;
+  double squared_length(HalfEdge e) const;
 
-  const HeightGrid& grid_;
   TerrainMesh& terrain_;
   Mesh& mesh_;
+  std::function<bool()> go_on_;
   AngleTest angle_;
   double bound_;  // cos^2 of the smallest angle
   OffCentre off_centre_;
   FeasiblePlace place_;
-  RefineOptions target_options_;
+  RefineOptions asked_;
   std::optional<TargetBuckets> targets_;
   std::optional<ErrorHeap> heap_;
   double error_ = 0;
-  std::size_t most_vertices_ = 0, frozen_ = 0;
   double floor_;
+  bool any_sharp_;
+  std::optional<EncroachedEdges> encroached_;  // looked at only where lines meet sharply
+  std::size_t frozen_, budget_;
+  bool cancelled_ = false;
+
+  std::optional<TerrainMesh::State> kept_;  // the least error with so many vertices
+  double kept_error_ = std::numeric_limits<double>::infinity();
+
+  std::vector<std::array<VertexId, 3>> at_kept_border_;  // targets given up there
+
+  // Of the turn in hand.
+  std::optional<TriangleId> target_;
   Cavity cavity_;
+  std::optional<HalfEdge> barrier_;  // what kept find_cavity() from its place
   Star star_;
-  std::optional<HalfEdge> barrier_;
-  std::vector<std::uint8_t> moves_;
+  std::optional<Candidate> best_;
+  std::vector<std::uint8_t> moves_;  // by vertex
   std::vector<TriangleId> changed_;
-  std::vector<HalfEdge> stack_;
+  std::vector<HalfEdge> suspects_;
 };
 
 }  // namespace lepp

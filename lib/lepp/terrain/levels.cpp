@@ -29,21 +29,24 @@ std::size_t Levels::vertices() const {
                                      : options_.max_vertices;
 }
 
-bool Levels::is_last() const {
-  return next_error_ >= options_.level_errors.size() &&
-         next_count_ >= options_.level_vertices.size();
+bool Levels::has_ended(const Tin& tin, double error) const {
+  return error <= this->error() || tin.mesh.vertex_count() >= vertices();
 }
 
-bool Levels::go_on(const Tin& tin, double error) {
+bool Levels::next(const Tin& tin, double error) {
   const std::size_t count = tin.mesh.vertex_count();
-  const bool by_error = error <= this->error() && next_error_ < options_.level_errors.size();
-  const bool by_count = count >= vertices() && next_count_ < options_.level_vertices.size();
-  if (by_error || by_count) note(tin);
-  while (next_error_ < options_.level_errors.size() && error <= this->error()) ++next_error_;
-  while (next_count_ < options_.level_vertices.size() && count >= vertices()) ++next_count_;
-  if (error <= last_error() || count >= options_.max_vertices) return false;
-  if (options_.progress && count % 1024 == 0 && !options_.progress(count)) cancelled_ = true;
-  return !cancelled_;
+  const std::size_t errors = options_.level_errors.size(), counts = options_.level_vertices.size();
+  if (cancelled_ || error <= last_error() || count >= options_.max_vertices) return false;
+  const bool by_error = next_error_ < errors && error <= this->error();
+  if (!by_error && next_count_ == counts) return false;
+  note(tin);
+  if (by_error) {
+    while (next_error_ < errors && error <= this->error()) ++next_error_;
+  } else {
+    ++next_count_;
+  }
+  while (next_count_ < counts && count >= vertices()) ++next_count_;
+  return true;
 }
 
 void Levels::note(const Tin& tin) {

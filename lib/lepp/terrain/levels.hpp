@@ -19,14 +19,23 @@ class Levels {
   /// The number of vertices at which the level in hand ends.
   std::size_t vertices() const;
 
-  /// Notes each level that `tin`, which is off by `error`, brings to its end.
-  /// \return false if the last one has ended, or the caller said stop
-  bool go_on(const Tin& tin, double error);
-  bool cancelled() const { return cancelled_; }
+  /// True if a TIN that is off by `error` has reached where the level in hand ends.
+  bool has_ended(const Tin& tin, double error) const;
+  /// Ends the level in hand with `tin`, whether or not it got there.
+  /// \return false if that was the last one
+  bool next(const Tin& tin, double error);
+  /// Asks the caller whether to go on; once false, it stays so.
+  bool ask(std::size_t vertices) {
+    if (!cancelled_ && options_.progress) cancelled_ = !options_.progress(vertices);
+    return !cancelled_;
+  }
+  bool ask_now_and_then(std::size_t vertices) {
+    constexpr std::size_t turns = 1024;
+    return ++turns_ % turns == 0 ? ask(vertices) : !cancelled_;
+  }
 
  private:
   double raised(double error) const { return error * (1 + 1e-12) + rounding_; }
-  bool is_last() const;
   void note(const Tin& tin);
 
   const HeightGrid& grid_;
@@ -34,6 +43,7 @@ class Levels {
   SimplifyReport& report_;
   double rounding_;
   std::size_t next_error_ = 0, next_count_ = 0;
+  std::size_t turns_ = 0;
   bool cancelled_ = false;
 };
 

@@ -5,9 +5,8 @@
 #include <functional>
 
 #include "lepp/geometry/error.hpp"
-#include "lepp/refine/refine.hpp"
 #include "lepp/terrain/greedy.hpp"
-#include "lepp/terrain/lepp_loop.hpp"
+#include "lepp/terrain/lepp_simplify.hpp"
 #include "lepp/terrain/levels.hpp"
 #include "lepp/terrain/surface_simplify.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
@@ -41,13 +40,6 @@ void check_options(const SimplifyOptions& o) {
         "sort them, the smallest first, all below the number of the whole");
 }
 
-std::vector<Unfinished> small_angles(const Mesh& mesh, double bound_deg, Reason otherwise) {
-  RefineOptions asked;
-  asked.min_angle_deg = bound_deg;
-  asked.obtuse = ObtuseRule::ignore;
-  return judge(mesh, asked, otherwise).unfinished;
-}
-
 }  // namespace
 
 Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const SimplifyOptions& options,
@@ -60,26 +52,17 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
   if (options.by == SimplifyBy::greedy) {
     greedy(terrain, levels, report.error_of_prefix);
   } else if (options.metric == TerrainMetric::surface) {
-    surface_simplify(grid, terrain, levels, options, report);
+    surface_simplify(terrain, levels, options, report);
   } else {
-    LeppLoop loop(grid, terrain, options);
-    do {
-      loop.run(levels.error(), levels.vertices());
-    } while (levels.go_on(terrain.tin(), loop.largest_error()) && loop.freeze());
+    report.unfinished = lepp_simplify(terrain, levels, options);
   }
   Tin tin = terrain.take();
   report.error = measure_error(grid, tin);
   report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
   note_angles(grid, tin, options.min_angle_deg, report.surface);
-  if (options.by == SimplifyBy::lepp && options.metric == TerrainMetric::planar) {
-    const Reason otherwise = levels.cancelled()                                ? Reason::cancelled
-                             : tin.mesh.vertex_count() >= options.max_vertices ? Reason::budget
-                                                                               : Reason::size_floor;
-    report.unfinished = small_angles(tin.mesh, options.min_angle_deg, otherwise);
-  }
   report.goal_reached = report.error.max <= levels.last_error() &&
                         std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
-                          return is_forced_by_input(u.reason);
+                          return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;
                         });
   return tin;
 }

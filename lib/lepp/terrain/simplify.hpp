@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "lepp/refine/refine.hpp"
 #include "lepp/terrain/height_grid.hpp"
 #include "lepp/terrain/surface_report.hpp"
 #include "lepp/terrain/terrain_domain.hpp"
@@ -38,6 +39,8 @@ struct SimplifyOptions {
   /// max_error = 0 as many as that allows.
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   SimplifyBy by = SimplifyBy::lepp;
+  /// How much time `lepp` gives to fewer vertices: none, one round of clean-up, or many.
+  Effort effort = Effort::normal;
   TerrainMetric metric = TerrainMetric::planar;
   double min_angle_deg = 30;  ///< of `lepp`, in the plane with true cell sizes; 0 to 34
   /// One run gives nested levels: for each error (descending, above max_error) the vertices of a

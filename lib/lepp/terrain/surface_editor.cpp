@@ -13,13 +13,13 @@
 
 namespace lepp {
 
-SurfaceEditor::SurfaceEditor(const HeightGrid& grid, TerrainMesh& terrain, double plan_angle_deg)
+SurfaceEditor::SurfaceEditor(TerrainMesh& terrain, double plan_angle_deg)
     : terrain_(terrain),
       mesh_(terrain.mesh()),
-      metric_(grid, terrain),
+      metric_(terrain),
       flips_(metric_, terrain, plan_angle_deg),
       star_(metric_, flips_, terrain),
-      clearance_((1 - same_place) * std::min(1.0, grid.aspect())),
+      clearance_((1 - same_place) * std::min(1.0, terrain.grid().aspect())),
       floor_(default_size_floor(mesh_)) {}
 
 std::span<const TriangleId> SurfaceEditor::changed() {
@@ -48,7 +48,7 @@ bool SurfaceEditor::cut(HalfEdge e, double least) {
   const bool fan_at_a = fan_at(mesh_, e, mesh_.origin(e)).exists();
   const bool fan_at_b = fan_at(mesh_, e, mesh_.destination(e)).exists();
   if (fan_at_a != fan_at_b) return split_with_fan(e);
-  const Point middle = midpoint(a, b), near = snapped(middle);
+  const Point middle = midpoint(a, b), near = terrain_.snapped(middle);
   const bool takes_sample =
       !terrain_.is_hard(e) && squared_distance(a, b) >= 9 && orient2d(a, b, near) == 0;
   return split(e, takes_sample ? near : middle);
@@ -129,11 +129,6 @@ void SurfaceEditor::flip_planar_back() {
   suspects_.clear();
   flips_.clear_planar(suspects_);
   flips_.restore(suspects_, changed_);
-}
-
-Point SurfaceEditor::snapped(Point p) const {
-  const Sample s = terrain_.space().nearest(p);
-  return std::isnan(terrain_.space().height(s)) ? p : terrain_.space().place(s);
 }
 
 }  // namespace lepp

@@ -16,7 +16,7 @@ namespace lepp {
 /// criterion or is kept (SurfaceFlips), and leaves M1 to M5 and the errors of all triangles true.
 class SurfaceEditor {
  public:
-  SurfaceEditor(const HeightGrid& grid, TerrainMesh& terrain, double plan_angle_deg);
+  SurfaceEditor(TerrainMesh& terrain, double plan_angle_deg);
   SurfaceEditor(const SurfaceEditor&) = delete;  // its parts refer to each other
   SurfaceEditor& operator=(const SurfaceEditor&) = delete;
 
@@ -54,8 +54,6 @@ class SurfaceEditor {
   /// What was put aside goes back to the metric of space.
   void flip_planar_back();
 
-  /// The sample nearest to `p`, if it has data, else `p`.
-  Point snapped(Point p) const;
   /// How far vertices that no sample asks for stay from others: a cell, a trifle less.
   double clearance() const { return clearance_; }
   /// The shortest edge that makes sense in these coordinates.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/lepp.hpp"
@@ -10,7 +11,6 @@ namespace lepp {
 
 namespace {
 
-constexpr std::size_t now_and_then = 1024;
 // Nearer to a constrained edge, in cells, a sample is on it.
 constexpr double on_line = 2 * same_place;
 // Halves of shorter edges, in cells, say no more than samples do.
@@ -18,8 +18,7 @@ constexpr double long_edge = 2;
 
 }  // namespace
 
-SurfaceLoop::SurfaceLoop(const HeightGrid& grid, TerrainMesh& terrain, double min_angle_deg,
-                         std::function<bool()> go_on)
+SurfaceLoop::SurfaceLoop(TerrainMesh& terrain, double min_angle_deg, std::function<bool()> go_on)
     : terrain_(terrain),
       mesh_(terrain.mesh()),
       go_on_(std::move(go_on)),
@@ -27,9 +26,9 @@ SurfaceLoop::SurfaceLoop(const HeightGrid& grid, TerrainMesh& terrain, double mi
       plan_angle_(plan_angle_deg(min_angle_deg)),
       bound_(AngleTest::squared_cos(min_angle_deg)),
       plan_bound_(AngleTest::squared_cos(plan_angle_deg(min_angle_deg))),
-      editor_(grid, terrain, plan_angle_deg(min_angle_deg)),
+      editor_(terrain, plan_angle_deg(min_angle_deg)),
       repair_(editor_, min_angle_deg, plan_angle_deg(min_angle_deg)),
-      budget_(2 * grid.size() + 50 * (mesh_.vertex_count() + 1000)) {
+      budget_(2 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
   freeze();
 }
 
@@ -43,14 +42,22 @@ void SurfaceLoop::run(double error, std::size_t vertices) {
 }
 
 bool SurfaceLoop::may_go_on() {
-  if (++turns_ % now_and_then == 0) cancelled_ = cancelled_ || !go_on_();
+  ++turns_;
+  cancelled_ = cancelled_ || !go_on_();
   return !cancelled_ && !out_of_budget();
 }
 
-// What the coarse mesh has below the bound in plan, its own refinement could not better: it is no
-// target unless something changes there.
+void SurfaceLoop::take_over(std::span<const Unfinished> unfinished) {
+  is_new_ = true;
+  repair_.forget_kept_border();
+  for (const Unfinished& u : unfinished) {
+    if (u.reason == Reason::kept_border) repair_.note_kept_border(u.triangle);
+  }
+}
+
 void SurfaceLoop::start(double error) {
   error_ = error;
+  rescan_everywhere();
   editor_.flips().set_error(error);
   repair_.set_error(error);
   heap_.emplace(error);
@@ -60,12 +67,20 @@ void SurfaceLoop::start(double error) {
     const TriangleId t(i);
     heap_->set(t, terrain_.error(t));
     const auto [a, b, c] = mesh_.corners(t);
-    if (started_) add_if_thin(t);
-    if (started_ || !angle_.is_below(a, b, c)) add_if_small(t);
+    if (!is_new_) add_if_thin(t);
+    if (!is_new_ || !angle_.is_below(a, b, c)) add_if_small(t);
   }
-  started_ = true;
+  is_new_ = false;
   editor_.flip_everywhere();
   note_changes();
+}
+
+// Rules that go by errors need those of the worst samples.
+void SurfaceLoop::rescan_everywhere() {
+  terrain_.set_enough(std::numeric_limits<double>::infinity());
+  std::vector<TriangleId> all;
+  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) all.emplace_back(t);
+  terrain_.rescan(all);
 }
 
 double SurfaceLoop::largest_error() const {
@@ -158,7 +173,7 @@ bool SurfaceLoop::cut_line_at(TriangleId t, Sample s) {
     if (twice_area * twice_area > on_line * on_line * squared_distance(a, b)) continue;
     if (terrain_.is_hard(e)) return true;
     const double part = dot(p - a, b - a) / squared_distance(a, b);
-    const Point near = editor_.snapped(a + std::clamp(part, 0.35, 0.65) * (b - a));
+    const Point near = terrain_.snapped(a + std::clamp(part, 0.35, 0.65) * (b - a));
     const bool is_near = squared_distance(a, b) >= 9 && orient2d(a, b, near) == 0;
     if (is_near && editor_.cut_at(e, near)) return true;
     if (!editor_.cut_at(e, p)) editor_.cut_at(e, a + part * (b - a));
@@ -204,12 +219,12 @@ bool SurfaceLoop::insert_in_space(TriangleId t, Point p) {
   if (try_in_space(t, p)) return true;
   if (editor_.grow(t, p, TerrainMetric::surface)) {
     const auto place = repair_.good_place_near(p, Kind::space);
-    if (place && try_in_space(t, editor_.snapped(*place))) return true;
+    if (place && try_in_space(t, terrain_.snapped(*place))) return true;
   }
   const HalfEdge terminal = editor_.metric().terminal_edge(t);
   if (mesh_.is_constrained(terminal)) {
     if (editor_.cut(terminal, editor_.clearance())) return true;
-  } else if (try_in_space(terminal.triangle, editor_.snapped(middle(terminal)))) {
+  } else if (try_in_space(terminal.triangle, terrain_.snapped(middle(terminal)))) {
     return true;
   }
   return insert_best(t, TerrainMetric::surface);
@@ -228,7 +243,7 @@ void SurfaceLoop::insert_in_plan(TriangleId t, Point p) {
   if (try_in_plan(t, p)) return;
   if (editor_.grow(t, p, TerrainMetric::planar)) {
     const auto place = repair_.good_place_near(p, Kind::plan);
-    if (place && try_in_plan(t, editor_.snapped(*place))) return;
+    if (place && try_in_plan(t, terrain_.snapped(*place))) return;
   }
   const HalfEdge terminal = terminal_edge(mesh_, t);
   const bool is_long =
@@ -236,7 +251,7 @@ void SurfaceLoop::insert_in_plan(TriangleId t, Point p) {
                        mesh_.point(mesh_.destination(terminal))) > long_edge * long_edge;
   if (mesh_.is_constrained(terminal)) {
     if (editor_.cut(terminal, editor_.clearance())) return;
-  } else if (is_long && try_in_plan(terminal.triangle, editor_.snapped(middle(terminal)))) {
+  } else if (is_long && try_in_plan(terminal.triangle, terrain_.snapped(middle(terminal)))) {
     return;
   }
   if (is_long && insert_best(t, TerrainMetric::planar)) return;

@@ -5,12 +5,14 @@
 #include <functional>
 #include <optional>
 #include <queue>
+#include <span>
 #include <vector>
 
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/terrain/error_heap.hpp"
 #include "lepp/terrain/surface_editor.hpp"
 #include "lepp/terrain/surface_repair.hpp"
+#include "lepp/triangulation/unfinished.hpp"
 
 namespace lepp {
 
@@ -20,9 +22,12 @@ namespace lepp {
 /// triangle, and every edge obeys its criterion or is kept by a rule (SurfaceFlips).
 class SurfaceLoop {
  public:
-  /// \param go_on  asked now and then; false stops
-  SurfaceLoop(const HeightGrid& grid, TerrainMesh& terrain, double min_angle_deg,
-              std::function<bool()> go_on);
+  /// \param go_on  asked at each turn; false stops
+  SurfaceLoop(TerrainMesh& terrain, double min_angle_deg, std::function<bool()> go_on);
+
+  /// The mesh comes from the planar simplification: what is below the bound in plan, that could
+  /// not better, and is no target unless something changes there.
+  void take_over(std::span<const Unfinished> unfinished);
 
   /// Works until every error is at most `error` and no turn betters an angle, or there are
   /// `vertices` vertices.
@@ -35,6 +40,8 @@ class SurfaceLoop {
   void freeze() { repair_.set_frozen(mesh_.vertex_count()); }
   double largest_error() const;
   bool cancelled() const { return cancelled_; }
+  /// True if `t` could not be bettered because a side would have to be cut that is to stay whole.
+  bool met_kept_border(TriangleId t) const { return repair_.met_kept_border(t); }
   bool out_of_budget() const {
     return mesh_.vertex_count() >= budget_ || turns_ / turns_per_vertex >= budget_;
   }
@@ -67,6 +74,7 @@ class SurfaceLoop {
   };
 
   void start(double error);
+  void rescan_everywhere();
   bool may_go_on();
   bool take_turn();
   bool flip_back();
@@ -97,7 +105,7 @@ class SurfaceLoop {
   double error_ = 0;
   std::size_t budget_;  // of vertices: twice the samples, and what refine() gives a domain
   std::size_t most_vertices_ = 0, turns_ = 0, work_at_flip_ = 0;
-  bool cancelled_ = false, started_ = false;
+  bool cancelled_ = false, is_new_ = true;
   std::optional<Candidate> best_;  // of the turn in hand
 };
 

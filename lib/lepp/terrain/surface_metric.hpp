@@ -54,8 +54,8 @@ double cos_dihedral(const Quad& quad);
 /// Lengths in space on a TIN that is being worked on.
 class SurfaceMetric {
  public:
-  SurfaceMetric(const HeightGrid& grid, const TerrainMesh& terrain)
-      : terrain_(terrain), per_height_(1 / grid.cell_width) {}
+  explicit SurfaceMetric(const TerrainMesh& terrain)
+      : terrain_(terrain), per_height_(1 / terrain.grid().cell_width) {}
 
   SpacePoint at(VertexId v) const {
     const Point p = terrain_.mesh().point(v);

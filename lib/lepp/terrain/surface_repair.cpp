@@ -70,7 +70,7 @@ bool SurfaceRepair::move_corner(TriangleId t, std::uint32_t corner, Kind kind, R
   for (const auto& side : star_.link) {
     most_error = std::max(most_error, terrain_.error(side.edge.triangle));
   }
-  for (const Point p : {editor_.snapped(*place), in_supported_range(*place)}) {
+  for (const Point p : {terrain_.snapped(*place), in_supported_range(*place)}) {
     if (!sees_link(star_, p) || encroaches(p)) continue;
     const double after = badness_of_star(editor_.metric().at(p), kind);
     if (after > rung.badness || after >= before || error_of_star(p) > most_error) continue;
@@ -137,7 +137,7 @@ bool SurfaceRepair::insert_off_centre_in_space(TriangleId t) {
   const Point p =
       slope.to_plan(off_centre_(slope.to_plane(a), slope.to_plane(b), slope.to_plane(c)));
   const double before = editor_.metric().badness(t);
-  for (const Point q : {editor_.snapped(p), in_supported_range(p)}) {
+  for (const Point q : {terrain_.snapped(p), in_supported_range(p)}) {
     if (!editor_.grow(t, q, TerrainMetric::surface)) continue;
     const SurfaceStar& star = editor_.star();
     if (star.encroached() || star.clearance() < editor_.clearance()) continue;
@@ -161,21 +161,30 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
       midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)));
   for (const double most : {before, anything}) {
     for (const Point p : {off_centre, middle}) {
-      for (const Point q : {editor_.snapped(p), in_supported_range(p)}) {
+      for (const Point q : {terrain_.snapped(p), in_supported_range(p)}) {
         if (insert_or_cut(t, q, most, least)) return true;
       }
     }
   }
-  return mesh_.is_constrained(terminal) && editor_.cut(terminal, least);
+  return mesh_.is_constrained(terminal) && cut(t, terminal, least);
+}
+
+bool SurfaceRepair::cut(TriangleId t, HalfEdge e, double least) {
+  if (!terrain_.may_cut(e)) note_kept_border(t);
+  return editor_.cut(e, least);
+}
+
+bool SurfaceRepair::met_kept_border(TriangleId t) const {
+  return std::ranges::find(at_kept_border_, mesh_.vertices(t)) != at_kept_border_.end();
 }
 
 // A constrained edge in the way, or encroached, is cut instead.
 bool SurfaceRepair::insert_or_cut(TriangleId t, Point p, double most, double least) {
   const bool grown = editor_.grow(t, p, TerrainMetric::planar);
-  if (!grown && editor_.barrier()) return editor_.cut(*editor_.barrier(), least);
+  if (!grown && editor_.barrier()) return cut(t, *editor_.barrier(), least);
   if (!grown) return false;
   const SurfaceStar& star = editor_.star();
-  if (const auto e = star.encroached()) return editor_.cut(*e, least);
+  if (const auto e = star.encroached()) return cut(t, *e, least);
   if (star.clearance() < least || star.badness_in_plan() >= most) return false;
   editor_.fill(TerrainMetric::planar);
   return true;

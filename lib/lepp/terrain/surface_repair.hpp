@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -35,6 +36,11 @@ class SurfaceRepair {
   /// A good place in a star, or in the star that the editor grew last, by the metric of `kind`.
   std::optional<Point> good_place_near(Point p, Kind kind);
 
+  /// Triangles that could not be bettered because of a side that has to stay whole.
+  void note_kept_border(TriangleId t) { at_kept_border_.push_back(mesh_.vertices(t)); }
+  void forget_kept_border() { at_kept_border_.clear(); }
+  bool met_kept_border(TriangleId t) const;
+
   /// One change, or none if nothing helps.
   void improve(TriangleId t, Kind kind);
 
@@ -55,6 +61,7 @@ class SurfaceRepair {
   double error_of_star(Point p) const;
   bool insert_off_centre_in_space(TriangleId t);
   bool insert_in_plan(TriangleId t);
+  bool cut(TriangleId t, HalfEdge e, double least);
   bool insert_or_cut(TriangleId t, Point p, double most, double least);
 
   SurfaceEditor& editor_;
@@ -67,6 +74,7 @@ class SurfaceRepair {
   double error_ = 0;
   Star star_, spread_;
   std::vector<std::uint8_t> moves_;  // by vertex
+  std::vector<std::array<VertexId, 3>> at_kept_border_;
 };
 
 }  // namespace lepp

@@ -7,60 +7,90 @@
 
 #include "lepp/geometry/compensated_sum.hpp"
 #include "lepp/refine/refine.hpp"
-#include "lepp/terrain/lepp_loop.hpp"
+#include "lepp/terrain/lepp_simplify.hpp"
 #include "lepp/terrain/surface_loop.hpp"
 #include "lepp/terrain/surface_metric.hpp"
+#include "lepp/triangulation/flip.hpp"
 
 namespace lepp {
 
 namespace {
 
-// The planar simplification of at most so many vertices, as if any error would do.
-void make_coarse(const HeightGrid& grid, TerrainMesh& terrain, const SimplifyOptions& options,
-                 std::size_t vertices) {
-  LeppLoop loop(grid, terrain, options);
-  loop.run(std::numeric_limits<double>::infinity(), vertices);
-}
-
-std::vector<Unfinished> small_angles_in_plan(const Mesh& mesh, double bound_deg, Reason otherwise) {
-  RefineOptions asked;
-  asked.min_angle_deg = bound_deg;
-  asked.obtuse = ObtuseRule::ignore;
-  return judge(mesh, asked, otherwise).unfinished;
-}
-
 double degrees_of_badness(double squared_cos) {
   return std::acos(std::sqrt(std::min(squared_cos, 1.0))) * 180 / std::numbers::pi;
 }
 
+class SurfaceSimplification {
+ public:
+  SurfaceSimplification(TerrainMesh& terrain, Levels& levels, const SimplifyOptions& options)
+      : terrain_(terrain),
+        mesh_(terrain.mesh()),
+        levels_(levels),
+        options_(options),
+        loop_(terrain, options.min_angle_deg,
+              [this] { return levels_.ask_now_and_then(mesh_.vertex_count()); }) {}
+
+  void run(SimplifyReport& report) {
+    double bound = 0;
+    for (bool is_coarse = true;;) {
+      if (is_coarse) make_coarse();
+      is_coarse = is_coarse && mesh_.vertex_count() >= levels_.vertices();
+      bound = levels_.error();
+      loop_.run(bound, levels_.vertices());
+      if (!levels_.next(terrain_.tin(), loop_.largest_error())) break;
+      loop_.freeze();
+    }
+    report.unfinished = small_angles_in_plan();
+    report.surface.violations = loop_.editor().flips().violations();
+    report.surface.bound = bound;
+    report.surface.plan_angle_deg = SurfaceLoop::plan_angle_deg(options_.min_angle_deg);
+    report.surface.tame = loop_.editor().tame();
+    report.surface.untame = loop_.editor().untame();
+  }
+
+ private:
+  // The planar simplification, as if any error would do. It starts from a Delaunay mesh.
+  void make_coarse() {
+    SimplifyOptions coarse = options_;
+    coarse.max_error = std::numeric_limits<double>::infinity();
+    coarse.max_vertices = levels_.vertices();
+    coarse.level_errors = {};
+    coarse.level_vertices = {};
+    SimplifyReport report;
+    Levels levels(terrain_.grid(), coarse, report);
+    make_delaunay(terrain_.mesh());
+    loop_.take_over(lepp_simplify(terrain_, levels, coarse));
+  }
+
+  std::vector<Unfinished> small_angles_in_plan() const {
+    const bool used_up = loop_.out_of_budget() || mesh_.vertex_count() >= options_.max_vertices;
+    const Reason otherwise = loop_.cancelled() ? Reason::cancelled
+                             : used_up         ? Reason::budget
+                                               : Reason::size_floor;
+    RefineOptions asked;
+    asked.min_angle_deg = std::min(SurfaceLoop::largest_plan_angle_deg, options_.min_angle_deg);
+    asked.obtuse = ObtuseRule::ignore;
+    std::vector<Unfinished> unfinished = judge(mesh_, asked, otherwise).unfinished;
+    for (Unfinished& u : unfinished) {
+      if (!is_forced_by_input(u.reason) && loop_.met_kept_border(u.triangle)) {
+        u.reason = Reason::kept_border;
+      }
+    }
+    return unfinished;
+  }
+
+  TerrainMesh& terrain_;
+  const Mesh& mesh_;
+  Levels& levels_;
+  const SimplifyOptions& options_;
+  SurfaceLoop loop_;
+};
+
 }  // namespace
 
-void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& levels,
-                      const SimplifyOptions& options, SimplifyReport& report) {
-  const Mesh& mesh = terrain.mesh();
-  bool is_coarse = true;
-  double bound = 0;
-  SurfaceLoop loop(grid, terrain, options.min_angle_deg,
-                   [&] { return !options.progress || options.progress(mesh.vertex_count()); });
-  do {
-    loop.freeze();
-    if (is_coarse) make_coarse(grid, terrain, options, levels.vertices());
-    is_coarse = is_coarse && mesh.vertex_count() >= levels.vertices();
-    bound = levels.error();
-    loop.run(bound, levels.vertices());
-  } while (!loop.cancelled() && !loop.out_of_budget() &&
-           levels.go_on(terrain.tin(), loop.largest_error()));
-  const bool used_up = loop.out_of_budget() || mesh.vertex_count() >= options.max_vertices;
-  const Reason otherwise = loop.cancelled() || levels.cancelled() ? Reason::cancelled
-                           : used_up                              ? Reason::budget
-                                                                  : Reason::size_floor;
-  report.unfinished = small_angles_in_plan(
-      mesh, std::min(SurfaceLoop::largest_plan_angle_deg, options.min_angle_deg), otherwise);
-  report.surface.violations = loop.editor().flips().violations();
-  report.surface.bound = bound;
-  report.surface.plan_angle_deg = SurfaceLoop::plan_angle_deg(options.min_angle_deg);
-  report.surface.tame = loop.editor().tame();
-  report.surface.untame = loop.editor().untame();
+void surface_simplify(TerrainMesh& terrain, Levels& levels, const SimplifyOptions& options,
+                      SimplifyReport& report) {
+  SurfaceSimplification(terrain, levels, options).run(report);
 }
 
 void note_angles(const HeightGrid& grid, const Tin& tin, double min_angle_deg,

@@ -11,10 +11,10 @@ namespace lepp {
 /// SimplifyBy::lepp by the metric of the surface. First the planar simplification, without a bound
 /// on the error, gives the mesh of the domain its angles in plan; SurfaceLoop goes on from there,
 /// and has nothing to do where the surface is level.
-/// \param report  gets `unfinished`, here triangles with an angle in plan below
-///                15 degrees or the bound, and what `surface` says of violations
-void surface_simplify(const HeightGrid& grid, TerrainMesh& terrain, Levels& levels,
-                      const SimplifyOptions& options, SimplifyReport& report);
+/// \param report  gets `unfinished`, here triangles with an angle in plan below 15 degrees or the
+///                bound, and what `surface` says of violations
+void surface_simplify(TerrainMesh& terrain, Levels& levels, const SimplifyOptions& options,
+                      SimplifyReport& report);
 
 /// Notes what angles the triangles of a TIN of `grid` have in space. Cost O(triangles)
 void note_angles(const HeightGrid& grid, const Tin& tin, double min_angle_deg,

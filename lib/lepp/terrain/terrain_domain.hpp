@@ -18,7 +18,7 @@ struct Breakline {
 };
 
 /// A polygon in world coordinates: outer ring first, then holes; rings need not repeat the first
-/// point at the end.
+/// point at the end. Inside is what an odd number of its rings surrounds.
 struct ClipPolygon {
   std::vector<std::vector<Point>> rings;
 };
@@ -30,8 +30,11 @@ struct DomainOptions {
 
 /// What is to be meshed, in grid space (height_grid.hpp).
 struct TerrainDomain {
+  /// Curve 0 is the outline, of all parts and holes; curve i + 1 breakline i. Groups "outline",
+  /// "breaklines" and "terrain".
   Pslg pslg;
-  /// Heights that hard breaklines ask for, one per point of `pslg`; NaN: the grid's.
+  /// Heights that hard breaklines ask for, one per point of `pslg`; NaN: the grid's. Where a line
+  /// crosses another line or the outline, its height there; of two hard lines, that of the first.
   std::vector<double> fixed_heights;
   /// One per point of `pslg`, or empty: sides of the domain between two points marked here are
   /// never cut, so that the mesh beyond, of another tile, can end at the same vertices.
@@ -39,10 +42,20 @@ struct TerrainDomain {
   std::vector<std::string> warnings;
 };
 
-/// The outline of the samples that have data, holes where they have none, cut by clip polygons, with
-/// breaklines inside. No closed triangle of a mesh of it has a sample without data in it, and every
-/// sample with data (inside the clip polygons) is in one.
-/// \throw InputError  no data at all; a grid of one row or column; lines that are no numbers
+/// The outline of the samples that have data, holes where they have none, cut by clip polygons,
+/// with breaklines inside. No closed triangle of a mesh of it has a sample without data in it, and
+/// every sample with data (inside the clip polygons) is in one.
+///
+/// Covered are cells whose four samples have data, and the triangle of three that have; notches
+/// with no sample in them are filled, and straight runs of the outline are one segment
+/// (outline.hpp). A sample that no such cell has, alone or in a chain, gets a square of its own
+/// around it, half a cell from corner to corner or less, so that it is covered, too. Every other
+/// corner of the outline is a sample, until clip polygons cut it.
+/// \throw InputError  no data at all; a grid of one row or column; lines that are no numbers;
+///                    clip polygons that leave nothing
+/// Cost   O(samples / 64 + n log n) for n samples along the outline; with lines that of a
+///        constrained_delaunay() of both
+/// Source docs/algorithms/terrain_domain.md
 TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& options = {});
 
 /// The height of the grid at a place in grid space: bilinear within cells whose four samples have

@@ -1,12 +1,17 @@
 #include "lepp/terrain/terrain_mesh.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/spatial_order.hpp"
 #include "lepp/triangulation/split.hpp"
 #include "lepp/triangulation/split_constrained.hpp"
 
@@ -18,13 +23,43 @@ namespace {
 // rounded, and twice as far stays clear of that.
 constexpr double on_line = 2 * same_place;
 
-double squared_distance_to_line(Point a, Point b, Point p) {
-  const double twice_area = cross(b - a, p - a);
-  return twice_area * twice_area / squared_distance(a, b);
-}
-
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
+
+bool lies_between(Point a, Point b, Point p) {
+  const double twice_area = cross(b - a, p - a), part = part_of_way(a, b, p);
+  return twice_area * twice_area <= on_line * on_line * squared_distance(a, b) && part > 0 &&
+         part < 1;
+}
+
+std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> number_of(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number_of[order[i]] = static_cast<std::uint32_t>(i);
+  }
+  return number_of;
+}
+
+template <class T>
+void rearrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> arranged;
+  arranged.reserve(values.size());
+  for (const std::uint32_t i : order) arranged.push_back(values[i]);
+  values = std::move(arranged);
+}
+
+// A counting sort. The last corner, because the first ones may be those of the coarse levels.
+std::vector<std::uint32_t> triangles_by_last_corner(const Mesh& mesh) {
+  std::vector<std::uint32_t> begin(mesh.vertex_count() + 1, 0);
+  const auto last = [](const Triangle& t) { return std::ranges::max(t.vertices).index(); };
+  for (const Triangle& t : mesh.triangles()) ++begin[last(t) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> order(mesh.triangle_count());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[begin[last(mesh.triangles()[i])]++] = static_cast<std::uint32_t>(i);
+  }
+  return order;
+}
 
 }  // namespace
 
@@ -32,33 +67,71 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
     : grid_(grid), space_(grid), scan_(grid) {
   Triangulation start =
       constrained_delaunay(domain.pslg, {.crossings = Crossings::split, .threads = 1});
-  tin_.mesh = std::move(start.mesh);
-  kept_.assign(mesh().vertex_count(), 0);
-  hard_.assign(mesh().vertex_count(), 0);
-  tin_.heights.resize(mesh().vertex_count());
+  state_.tin.mesh = std::move(start.mesh);
+  state_.kept.assign(mesh().vertex_count(), 0);
+  state_.hard.assign(mesh().vertex_count(), 0);
+  state_.tin.heights.resize(mesh().vertex_count());
   for (std::size_t i = 0; i < mesh().vertex_count(); ++i) {
-    tin_.heights[i] = height_of(mesh().point(VertexId(i)));
+    state_.tin.heights[i] = height_of(mesh().point(VertexId(i)));
   }
   for (std::size_t i = 0; i < domain.pslg.points.size(); ++i) {
     const auto v = start.report.vertex_of_point[i];
     if (!v) continue;
-    if (!domain.kept_border.empty() && domain.kept_border[i]) kept_[v->index()] = 1;
+    if (!domain.kept_border.empty() && domain.kept_border[i]) state_.kept[v->index()] = 1;
     if (domain.fixed_heights.empty() || std::isnan(domain.fixed_heights[i])) continue;
-    hard_[v->index()] = 1;
-    tin_.heights[v->index()] = domain.fixed_heights[i];
+    state_.hard[v->index()] = 1;
+    state_.tin.heights[v->index()] = domain.fixed_heights[i];
   }
-  worst_.resize(mesh().triangle_count());
-  for (std::size_t t = 0; t < worst_.size(); ++t) scan_triangle(TriangleId(t));
+  state_.worst.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
 void TerrainMesh::scan_triangle(TriangleId t) {
   const auto& [a, b, c] = mesh().vertices(t);
-  worst_[t.index()] = scan_.worst({corner(a), corner(b), corner(c)});
+  state_.worst[t.index()] = scan_.worst_or_bad({corner(a), corner(b), corner(c)}, enough_);
 }
 
 void TerrainMesh::rescan(std::span<const TriangleId> changed) {
-  worst_.resize(mesh().triangle_count());
+  state_.worst.resize(mesh().triangle_count());
   for (const TriangleId t : changed) scan_triangle(t);
+}
+
+void TerrainMesh::choose_diagonals(std::vector<TriangleId>& changed, double limit) {
+  for (std::size_t k = 0; k < changed.size(); ++k) {  // ends: each flip lowers the larger error
+    const TriangleId t = changed[k];
+    if (!(error(t) > limit)) continue;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge e{t, i};
+      if (mesh().is_constrained(e)) continue;
+      const TriangleId across = mesh().twin(e)->triangle;
+      if (!choose_diagonal(e)) continue;
+      changed.push_back(across);
+      changed.push_back(t);
+      break;
+    }
+  }
+}
+
+// Flips `e` if both diagonals are Delaunay and the other one is off less.
+bool TerrainMesh::choose_diagonal(HalfEdge e) {
+  const HalfEdge f = *mesh().twin(e);
+  const VertexId a = mesh().origin(e), b = mesh().destination(e);
+  const VertexId c = mesh().apex(e), d = mesh().apex(f);
+  if (incircle(mesh().point(a), mesh().point(b), mesh().point(c), mesh().point(d)) != 0)
+    return false;
+  const double now = std::max(error(e.triangle), error(f.triangle));
+  const TerrainCorner at_c = corner(c), at_d = corner(d);
+  if (!scan_.is_within({at_c, corner(a), at_d}, now) ||
+      !scan_.is_within({at_d, corner(b), at_c}, now)) {
+    return false;
+  }
+  const double then = std::max(scan_.worst({at_c, corner(a), at_d}).error,
+                               scan_.worst({at_d, corner(b), at_c}).error);
+  if (!(then < now) || !is_flippable(mesh(), e)) return false;
+  const TriangleId pair[] = {e.triangle, f.triangle};
+  flip(mesh(), e);
+  rescan(pair);
+  return true;
 }
 
 double TerrainMesh::height_of(Point p) const {
@@ -70,20 +143,20 @@ double TerrainMesh::height_of(Point p) const {
 }
 
 bool TerrainMesh::is_hard(HalfEdge e) const {
-  return mesh().is_constrained(e) && hard_[mesh().origin(e).index()] != 0 &&
-         hard_[mesh().destination(e).index()] != 0;
+  return mesh().is_constrained(e) && state_.hard[mesh().origin(e).index()] != 0 &&
+         state_.hard[mesh().destination(e).index()] != 0;
 }
 
 bool TerrainMesh::may_cut(HalfEdge e) const {
-  return !mesh().is_boundary(e) || kept_[mesh().origin(e).index()] == 0 ||
-         kept_[mesh().destination(e).index()] == 0;
+  return !mesh().is_boundary(e) || state_.kept[mesh().origin(e).index()] == 0 ||
+         state_.kept[mesh().destination(e).index()] == 0;
 }
 
 void TerrainMesh::add_heights() {
-  for (std::size_t i = tin_.heights.size(); i < mesh().vertex_count(); ++i) {
-    tin_.heights.push_back(height_of(mesh().point(VertexId(i))));
-    kept_.push_back(0);
-    hard_.push_back(0);
+  for (std::size_t i = state_.tin.heights.size(); i < mesh().vertex_count(); ++i) {
+    state_.tin.heights.push_back(height_of(mesh().point(VertexId(i))));
+    state_.kept.push_back(0);
+    state_.hard.push_back(0);
     if (mesh().origin_of(VertexId(i)).kind == VertexOrigin::Kind::on_segment)
       put_on_line(VertexId(i));
   }
@@ -95,7 +168,7 @@ void TerrainMesh::put_on_line(VertexId v) {
   for_each_in_fan(mesh(), v, [&](TriangleId t, std::uint32_t corner) {
     const HalfEdge out{t, previous_corner(corner)}, in{t, next_corner(corner)};
     const auto note = [&](HalfEdge e, VertexId end) {
-      if (!mesh().is_constrained(e) || hard_[end.index()] == 0) return;
+      if (!mesh().is_constrained(e) || state_.hard[end.index()] == 0) return;
       if (!hard[0] || *hard[0] == end) hard[0] = end;
       else hard[1] = end;
     };
@@ -104,9 +177,10 @@ void TerrainMesh::put_on_line(VertexId v) {
   });
   if (!hard[1]) return;
   const Point a = mesh().point(*hard[0]), b = mesh().point(*hard[1]);
-  const double low = tin_.heights[hard[0]->index()], high = tin_.heights[hard[1]->index()];
-  tin_.heights[v.index()] = low + (high - low) * part_of_way(a, b, mesh().point(v));
-  hard_[v.index()] = 1;
+  const double low = state_.tin.heights[hard[0]->index()],
+               high = state_.tin.heights[hard[1]->index()];
+  state_.tin.heights[v.index()] = low + (high - low) * part_of_way(a, b, mesh().point(v));
+  state_.hard[v.index()] = 1;
 }
 
 bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& changed) {
@@ -114,9 +188,13 @@ bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& change
   if (const auto e = constrained_edge_at(t, p)) return cut_at(*e, p, changed);
   if (!contains(mesh(), t, p)) {
     const WayEnd end = straight_walk(mesh(), t, p);
-    if (end.barrier) return cut_at(*end.barrier, p, changed);
+    if (end.barrier) return is_on(*end.barrier, p) && cut_at(*end.barrier, p, changed);
     t = end.triangle;
   }
+  return insert_inside(t, p, changed);
+}
+
+bool TerrainMesh::insert_inside(TriangleId t, Point p, std::vector<TriangleId>& changed) {
   if (!cavity_.find(mesh(), t, p)) return false;
   cavity_.fill(mesh(), p, {VertexOrigin::Kind::interior, 0});
   changed.insert(changed.end(), cavity_.triangles().begin(), cavity_.triangles().end());
@@ -124,14 +202,48 @@ bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& change
   return true;
 }
 
+Removal TerrainMesh::remove(VertexId v, double limit) {
+  Removal removal = *remove_vertex(mesh(), v);
+  const auto take_place = [&](auto& of_vertices) {
+    of_vertices[v.index()] = of_vertices.back();
+    of_vertices.pop_back();
+  };
+  take_place(state_.tin.heights);
+  take_place(state_.kept);
+  take_place(state_.hard);
+  for (const auto& move : removal.moved_triangles) {
+    state_.worst[move.to.index()] = state_.worst[move.from.index()];
+  }
+  rescan(removal.changed);
+  choose_diagonals(removal.changed, limit);
+  return removal;
+}
+
+void TerrainMesh::renumber(std::size_t first) {
+  std::vector<std::uint32_t> order(first);
+  std::iota(order.begin(), order.end(), 0U);
+  for (const std::uint32_t i : spatial_order(mesh().points().subspan(first))) {
+    order.push_back(static_cast<std::uint32_t>(first) + i);
+  }
+  rearrange(state_.tin.heights, order);
+  rearrange(state_.kept, order);
+  rearrange(state_.hard, order);
+  mesh().renumber_vertices(inverse(order));
+  const std::vector<std::uint32_t> triangles = triangles_by_last_corner(mesh());
+  rearrange(state_.worst, triangles);
+  mesh().renumber_triangles(inverse(triangles));
+}
+
 std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) const {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge e{t, i};
-    if (!mesh().is_constrained(e)) continue;
-    const Point a = mesh().point(mesh().origin(e)), b = mesh().point(mesh().destination(e));
-    if (squared_distance_to_line(a, b, p) <= on_line * on_line) return e;
+    if (is_on({t, i}, p)) return HalfEdge{t, i};
   }
   return std::nullopt;
+}
+
+bool TerrainMesh::is_on(HalfEdge e, Point p) const {
+  return mesh().is_constrained(e) &&
+         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p);
 }
 
 // A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "lepp/terrain/tin.hpp"
 #include "lepp/terrain/triangle_scan.hpp"
 #include "lepp/triangulation/cavity.hpp"
+#include "lepp/triangulation/remove_vertex.hpp"
 
 namespace lepp {
 
@@ -20,20 +23,38 @@ class TerrainMesh {
   /// The domain's own triangulation.
   TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain);
 
-  const Mesh& mesh() const { return tin_.mesh; }
-  Mesh& mesh() { return tin_.mesh; }
-  const Tin& tin() const { return tin_; }
-  Tin take() { return std::move(tin_); }
+  const Mesh& mesh() const { return state_.tin.mesh; }
+  Mesh& mesh() { return state_.tin.mesh; }
+  const Tin& tin() const { return state_.tin; }
+  Tin take() { return std::move(state_.tin); }
   const SampleSpace& space() const { return space_; }
   const TriangleScan& scan() const { return scan_; }
+  const HeightGrid& grid() const { return grid_; }
 
-  const WorstSample& worst(TriangleId t) const { return worst_[t.index()]; }
+  /// All that changes, to come back to.
+  struct State {
+    Tin tin;
+    std::vector<std::uint8_t> kept;  ///< by vertex: the ends of edges that may not be cut
+    std::vector<std::uint8_t> hard;  ///< by vertex: its height is asked for by a line
+    std::vector<WorstSample> worst;  ///< by triangle
+  };
+  State save() const { return state_; }
+  void restore(State state) { state_ = std::move(state); }
+
+  const WorstSample& worst(TriangleId t) const { return state_.worst[t.index()]; }
   double error(TriangleId t) const { return worst(t).error; }
+  /// From now on the worst sample of a large triangle need only be one that is off by more than
+  /// this, which is much faster to find. Infinite, as at the start: it is the worst one.
+  void set_enough(double error) { enough_ = error; }
   /// Looks at the samples of triangles that changed.
   void rescan(std::span<const TriangleId> changed);
+  /// Where four corners lie on a circle either diagonal is Delaunay. Of those beside triangles in
+  /// `changed` that are off by more than `limit`, takes the one that is off less.
+  /// \param changed  the other triangle of each pair is appended
+  void choose_diagonals(std::vector<TriangleId>& changed, double limit);
 
   TerrainCorner corner(VertexId v) const {
-    return space_.corner(mesh().point(v), tin_.heights[v.index()]);
+    return space_.corner(mesh().point(v), state_.tin.heights[v.index()]);
   }
   /// The height that a vertex at `p` gets: a sample's own, else the grid's.
   double height_of(Point p) const;
@@ -43,29 +64,49 @@ class TerrainMesh {
   /// True if the height of each place on `e` is asked for by a line.
   bool is_hard(HalfEdge e) const;
 
+  /// The constrained edge of `t` that `p`, a place in it, lies on up to rounding.
+  std::optional<HalfEdge> constrained_edge_at(TriangleId t, Point p) const;
+
+  /// The sample nearest to `p`, if it has data, else `p`.
+  Point snapped(Point p) const {
+    const Sample s = space_.nearest(p);
+    return std::isnan(space_.height(s)) ? p : space_.place(s);
+  }
+
   /// Inserts a vertex at a sample that is in `t`, on a constrained edge of it if need be.
   /// \return false if that is not possible: a vertex is there, or the edge may not be cut
   /// \param changed  triangles with other corners are appended; rescan() is the caller's
   bool insert(TriangleId t, Sample s, std::vector<TriangleId>& changed);
 
+  /// Inserts a vertex at `p`, in `t` and on no constrained edge, or returns false if one is there.
+  bool insert_inside(TriangleId t, Point p, std::vector<TriangleId>& changed);
+  /// Removes a vertex and looks at the samples of what changed, choose_diagonals() with `limit`
+  /// included. The last vertex takes its place.
+  /// \pre is_removable(removability(mesh(), v))
+  Removal remove(VertexId v, double limit);
+
+  /// Numbers the vertices from `first` on, and all triangles, along a Hilbert curve: work that goes
+  /// from one to the next then finds its samples and triangles in the cache.
+  /// \pre no input vertex has the number `first` or a higher one
+  void renumber(std::size_t first);
+
   /// Gives vertices that the mesh has and heights() has not their heights.
   void add_heights();
   /// The same for a vertex that moved.
-  void set_height(VertexId v) { tin_.heights[v.index()] = height_of(mesh().point(v)); }
+  void set_height(VertexId v) { state_.tin.heights[v.index()] = height_of(mesh().point(v)); }
 
  private:
   void scan_triangle(TriangleId t);
+  bool choose_diagonal(HalfEdge e);
+  bool is_on(HalfEdge e, Point p) const;
   void put_on_line(VertexId v);
-  std::optional<HalfEdge> constrained_edge_at(TriangleId t, Point p) const;
   bool cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed);
 
   const HeightGrid& grid_;
   SampleSpace space_;
   TriangleScan scan_;
-  Tin tin_;
-  std::vector<std::uint8_t> kept_;  // by vertex: the ends of edges that may not be cut
-  std::vector<std::uint8_t> hard_;  // by vertex: its height is asked for by a line
-  std::vector<WorstSample> worst_;  // by triangle
+  State state_;
+  double enough_ = std::numeric_limits<double>::infinity();
   Cavity cavity_;
 };
 

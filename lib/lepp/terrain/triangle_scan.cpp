@@ -1,64 +1,142 @@
 #include "lepp/terrain/triangle_scan.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace lepp {
 
 namespace {
 
+// A large triangle, and which of its lines are looked at first.
+constexpr double many_lines = 64;
+constexpr std::int64_t lines_between = 8;
+
 double error_at(float height, double start, double slope, double i) {
   return std::abs(static_cast<double>(height) - (start + slope * i));
 }
 
-// The largest error of n samples, 0 if none has data: a comparison with NaN is false. Lanes that do
-// not wait for each other become vector instructions.
+// Two doubles at a time, as every machine of today does; compilers do not see that for themselves,
+// because the order in which a maximum is taken matters where there are NaNs.
+using Pair = double __attribute__((vector_size(16)));
+using FloatPair = float __attribute__((vector_size(8)));
+using Bits = std::int64_t __attribute__((vector_size(16)));
+
+Pair larger_error(Pair largest, const float* heights, Pair start, Pair slope, Pair at) {
+  FloatPair pair;
+  std::memcpy(&pair, heights, sizeof pair);
+  const Pair off = __builtin_convertvector(pair, Pair) - (start + slope * at);
+  const Pair error = reinterpret_cast<Pair>(reinterpret_cast<Bits>(off) & INT64_MAX);
+  return error > largest ? error : largest;  // false for NaN
+}
+
+// The largest error of n samples, 0 if none has data.
 double largest_of(const float* heights, std::size_t n, double start, double slope) {
   constexpr std::size_t lanes = 4;
-  double largest[lanes] = {};
-  double at[lanes] = {0, 1, 2, 3};
+  double largest = 0;
   std::size_t i = 0;
-  for (; i + lanes <= n; i += lanes) {
-    for (std::size_t k = 0; k < lanes; ++k) {
-      const double error = error_at(heights[i + k], start, slope, at[k]);
-      largest[k] = error > largest[k] ? error : largest[k];
-      at[k] += lanes;
+  if (n >= 2 * lanes) {
+    const Pair starts{start, start}, slopes{slope, slope}, step{lanes, lanes};
+    Pair low{0, 0}, high{0, 0}, at_low{0, 1}, at_high{2, 3};
+    for (; i + lanes <= n; i += lanes) {
+      low = larger_error(low, heights + i, starts, slopes, at_low);
+      high = larger_error(high, heights + i + 2, starts, slopes, at_high);
+      at_low += step;
+      at_high += step;
     }
+    largest = std::max(std::max(low[0], low[1]), std::max(high[0], high[1]));
   }
   for (; i < n; ++i) {
     const double error = error_at(heights[i], start, slope, static_cast<double>(i));
-    largest[0] = error > largest[0] ? error : largest[0];
+    largest = error > largest ? error : largest;
   }
-  return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+  return largest;
+}
+
+bool is_at_sample(const TerrainCorner& c) {
+  return c.column == static_cast<double>(static_cast<std::int64_t>(c.column)) &&
+         c.line == static_cast<double>(static_cast<std::int64_t>(c.line));
+}
+
+// One pass over a few samples is faster than a quick one and perhaps a second.
+bool is_long(const ScanSpan& span) { return span.last - span.first >= 8; }
+
+bool is_corner(const std::array<TerrainCorner, 3>& corners, Sample s) {
+  return SampleSpace::is_at(corners[0], s) || SampleSpace::is_at(corners[1], s) ||
+         SampleSpace::is_at(corners[2], s);
 }
 
 }  // namespace
 
 double TriangleScan::largest_error(const ScanSpan& span) const {
-  const float* heights = &grid_.heights[grid_.index(span.first, grid_.row_of_line(span.line))];
-  return largest_of(heights, span.last - span.first + 1, span.height, span.slope);
+  return largest_of(heights(span), span.last - span.first + 1, span.height, span.slope);
 }
 
 WorstSample TriangleScan::worst(const std::array<TerrainCorner, 3>& corners) const {
+  return worst_of_lines(corners, 1);
+}
+
+WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners,
+                                       double enough) const {
+  const auto [low, high] = std::minmax({corners[0].line, corners[1].line, corners[2].line});
+  if (high - low >= many_lines) {
+    const WorstSample some = worst_of_lines(corners, lines_between);
+    if (some.error > enough) return some;
+  }
+  return worst_of_lines(corners, 1);
+}
+
+WorstSample TriangleScan::worst_of_lines(const std::array<TerrainCorner, 3>& corners,
+                                         std::int64_t step) const {
   WorstSample worst;
-  const auto is_corner = [&](Sample s) {
-    return SampleSpace::is_at(corners[0], s) || SampleSpace::is_at(corners[1], s) ||
-           SampleSpace::is_at(corners[2], s);
-  };
-  spans_(corners, [&](const ScanSpan& span) {
-    if (!(largest_error(span) > worst.error)) return;
-    const float* heights = &grid_.heights[grid_.index(span.first, grid_.row_of_line(span.line))];
+  const auto note = [&](const ScanSpan& span) {
+    if (is_long(span) && !(largest_error(span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-      const double error = error_at(heights[i], span.height, span.slope, i);
-      if (error > worst.error && !is_corner({span.first + i, span.line})) {
+      const double error = error_at(heights(span)[i], span.height, span.slope, i);
+      if (error > worst.error && !is_corner(corners, {span.first + i, span.line})) {
         worst = {error, {span.first + i, span.line}};
       }
     }
-  });
+    return true;
+  };
+  spans_(corners, note, step);
   return worst;
 }
 
 bool TriangleScan::is_within(const std::array<TerrainCorner, 3>& corners, double limit) const {
-  return worst(corners).error <= limit;
+  bool within = true;
+  spans_(corners, [&](const ScanSpan& span) {
+    const bool suspect = !is_long(span) || largest_error(span) > limit;
+    within = !suspect || !has_other(span, corners, limit);
+    return within;
+  });
+  return within;
+}
+
+bool TriangleScan::is_within_at(const std::array<TerrainCorner, 3>& corners, const TerrainCorner& s,
+                                double limit) const {
+  if (!is_at_sample(s)) return true;
+  const auto& [a, b, c] = corners;
+  const auto twice_area = [](const TerrainCorner& p, const TerrainCorner& q,
+                             const TerrainCorner& r) {
+    return (q.column - p.column) * (r.line - p.line) - (r.column - p.column) * (q.line - p.line);
+  };
+  const double at_a = twice_area(b, c, s), at_b = twice_area(c, a, s), at_c = twice_area(a, b, s);
+  if (!(at_a > 0 && at_b > 0 && at_c > 0)) return true;
+  const double height =
+      (at_a * a.height + at_b * b.height + at_c * c.height) / (at_a + at_b + at_c);
+  return !(std::abs(s.height - height) > limit);
+}
+
+// True if a sample that is no corner is off by more than `limit`.
+bool TriangleScan::has_other(const ScanSpan& span, const std::array<TerrainCorner, 3>& corners,
+                             double limit) const {
+  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+    if (error_at(heights(span)[i], span.height, span.slope, i) > limit &&
+        !is_corner(corners, {span.first + i, span.line})) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace lepp

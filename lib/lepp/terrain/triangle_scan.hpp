@@ -24,29 +24,37 @@ struct ScanSpan {
   double slope;                     ///< from column to column
 };
 
-/// Cuts triangles into spans of samples. The crossing of a side with a line is computed from its
-/// ends in an order of their own, so that both triangles of a side see the same one: no sample
-/// between two triangles is lost, and one on their side belongs to both.
+/// Cuts triangles into spans of samples. Crossings of sides with lines are rounded by less than
+/// `same_place`, and a span takes samples that are as near to it: no sample between two triangles
+/// is lost, and one on their side belongs to both.
 class TriangleSpans {
  public:
   explicit TriangleSpans(const HeightGrid& grid) : columns_(grid.columns), rows_(grid.rows) {}
 
-  /// Calls visit(ScanSpan) for each line that has samples in the triangle, from the south.
+  /// Calls visit(ScanSpan) for each line that has samples in the triangle, from the south, until it
+  /// returns false.
+  /// \param step  visits only lines that are multiples of it
   template <class Visit>
-  void operator()(std::array<TerrainCorner, 3> corners, Visit visit) const;
+  void operator()(std::array<TerrainCorner, 3> corners, Visit visit, std::int64_t step = 1) const;
 
  private:
-  struct Crossing {
-    double column, height;
+  // A side from its lower end on, and what it gains from line to line.
+  struct Side {
+    double line, column, height;
+    double per_line, rise;
+    Side(const TerrainCorner& low, const TerrainCorner& high)
+        : line(low.line), column(low.column), height(low.height) {
+      const double lines = high.line - low.line;
+      const double part = lines > 0 ? 1 / lines : 0;
+      per_line = (high.column - low.column) * part;
+      rise = (high.height - low.height) * part;
+    }
+    double column_at(double y) const { return column + per_line * (y - line); }
+    double height_at(double y) const { return height + rise * (y - line); }
   };
+
   static bool is_before(const TerrainCorner& a, const TerrainCorner& b) {
     return a.line != b.line ? a.line < b.line : a.column < b.column;
-  }
-  static Crossing crossing(const TerrainCorner& low, const TerrainCorner& high, double line) {
-    const double all = high.line - low.line, part = line - low.line;
-    if (!(part < all)) return {high.column, high.height};
-    return {low.column + (high.column - low.column) * part / all,
-            low.height + (high.height - low.height) * part / all};
   }
   // ceil and floor of what is not far below 0, without a call.
   static std::int64_t ceil(double x) {
@@ -61,26 +69,40 @@ class TriangleSpans {
   std::int64_t columns_, rows_;
 };
 
+//        high           The side from low to high is crossed by every line, the two others by
+//       / |             those below and above the middle. Along a line the height changes by the
+//      /  |             same everywhere: by what it does from the long side to the middle.
+//  middle-+  slope
+//      \ |
+//        low
 template <class Visit>
-void TriangleSpans::operator()(std::array<TerrainCorner, 3> corners, Visit visit) const {
+void TriangleSpans::operator()(std::array<TerrainCorner, 3> corners, Visit visit,
+                               std::int64_t step) const {
   auto& [low, middle, high] = corners;
   if (is_before(middle, low)) std::swap(low, middle);
   if (is_before(high, middle)) std::swap(middle, high);
   if (is_before(middle, low)) std::swap(low, middle);
+  const Side whole(low, high), lower(low, middle), upper(middle, high);
+  const double width = middle.column - whole.column_at(middle.line);
+  const bool is_wide = width > same_place || width < -same_place;
+  const double slope = is_wide ? (middle.height - whole.height_at(middle.line)) / width : 0;
   const std::int64_t end = std::min(floor(high.line), rows_ - 1);
-  for (std::int64_t line = std::max<std::int64_t>(ceil(low.line), 0); line <= end; ++line) {
+  const std::int64_t start = std::max<std::int64_t>(ceil(low.line), 0);
+  for (std::int64_t line = (start + step - 1) / step * step; line <= end; line += step) {
     const auto y = static_cast<double>(line);
-    Crossing left = crossing(low, high, y);
-    Crossing right = y <= middle.line ? crossing(low, middle, y) : crossing(middle, high, y);
-    if (right.column < left.column) std::swap(left, right);
-    const std::int64_t first = std::max<std::int64_t>(ceil(left.column - same_place), 0);
-    const std::int64_t last = std::min(floor(right.column + same_place), columns_ - 1);
+    const double on_whole = whole.column_at(y);
+    const double on_other = y < middle.line   ? lower.column_at(y)
+                            : y > middle.line ? upper.column_at(y)
+                                              : middle.column;
+    const double left = std::min(on_whole, on_other), right = std::max(on_whole, on_other);
+    const std::int64_t first = std::max<std::int64_t>(ceil(left - same_place), 0);
+    const std::int64_t last = std::min(floor(right + same_place), columns_ - 1);
     if (first > last) continue;
-    const double width = right.column - left.column;
-    const double slope = width > same_place ? (right.height - left.height) / width : 0;
-    visit(ScanSpan{static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(first),
-                   static_cast<std::uint32_t>(last),
-                   left.height + slope * (static_cast<double>(first) - left.column), slope});
+    const double height = whole.height_at(y) + slope * (static_cast<double>(first) - on_whole);
+    if (!visit(ScanSpan{static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(first),
+                        static_cast<std::uint32_t>(last), height, slope})) {
+      return;
+    }
   }
 }
 
@@ -93,11 +115,25 @@ class TriangleScan {
   /// Of equal errors the southernmost and westernmost sample. Cost O(samples + lines)
   WorstSample worst(const std::array<TerrainCorner, 3>& corners) const;
 
+  /// The same, but of a large triangle the worst sample of some of its lines, if that is off by
+  /// more than `enough`: it then has to be divided anyway.
+  WorstSample worst_or_bad(const std::array<TerrainCorner, 3>& corners, double enough) const;
+
   /// True if no sample of the triangle is off by more than `limit`; ends at the first that is.
   bool is_within(const std::array<TerrainCorner, 3>& corners, double limit) const;
 
+  /// False if `s` is in the triangle and off by more than `limit`: a quick look at a suspect.
+  bool is_within_at(const std::array<TerrainCorner, 3>& corners, const TerrainCorner& s,
+                    double limit) const;
+
  private:
+  const float* heights(const ScanSpan& span) const {
+    return &grid_.heights[grid_.index(span.first, grid_.row_of_line(span.line))];
+  }
+  WorstSample worst_of_lines(const std::array<TerrainCorner, 3>& corners, std::int64_t step) const;
   double largest_error(const ScanSpan& span) const;
+  bool has_other(const ScanSpan& span, const std::array<TerrainCorner, 3>& corners,
+                 double limit) const;
 
   const HeightGrid& grid_;
   TriangleSpans spans_;

@@ -1,6 +1,7 @@
 #include "lepp/triangulation/relocate.hpp"
 
 #include "lepp/geometry/predicates.hpp"
+#include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/flip.hpp"
 
 namespace lepp {
@@ -22,6 +23,28 @@ bool sees_link(const Star& star, Point p) {
     if (orient2d(p, star.from(i), star.to(i)) <= 0) return false;
   }
   return true;
+}
+
+bool encroaches_beyond_link(const Mesh& mesh, const Star& star, Point p,
+                            std::vector<HalfEdge>& stack) {
+  stack.clear();
+  for (const auto& side : star.link) stack.push_back(side.edge);
+  std::size_t left = mesh.triangle_count();
+  while (!stack.empty()) {  // ends: by `left`, long before by the tree that cavities are
+    const HalfEdge e = stack.back();
+    stack.pop_back();
+    if (mesh.is_constrained(e)) {
+      if (would_encroach(mesh, e, p)) return true;
+      continue;
+    }
+    const HalfEdge f = *mesh.twin(e);
+    const auto [a, b, c] = mesh.corners(f.triangle);
+    if (incircle(a, b, c, p) <= 0) continue;
+    if (left-- == 0) return true;
+    stack.push_back(previous_edge(f));
+    stack.push_back(next_edge(f));
+  }
+  return false;
 }
 
 void move_vertex(Mesh& mesh, VertexId v, const Star& star, Point p,

@@ -34,6 +34,12 @@ bool find_star(const Mesh& mesh, TriangleId t, std::uint32_t corner, Star& star,
 /// True if every triangle of the star is counter-clockwise (exact) with its center at `p`.
 bool sees_link(const Star& star, Point p);
 
+/// True if a constrained edge is encroached by a vertex at `p` once the mesh is Delaunay around it:
+/// flips join it to what lies beyond the link, as far as circumcircles hold it.
+/// \param stack  memory to work with
+bool encroaches_beyond_link(const Mesh& mesh, const Star& star, Point p,
+                            std::vector<HalfEdge>& stack);
+
 /// Moves `v`, the center of `star`, to `p`, and makes the mesh constrained Delaunay again.
 /// \pre    sees_link(star, p); nothing has changed since find_star()
 /// \param changed  triangles with other corners or coordinates are appended, perhaps repeatedly

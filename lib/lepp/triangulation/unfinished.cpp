@@ -38,6 +38,8 @@ std::string to_string(Reason reason) {
       return "cancelled";
     case Reason::method:
       return "method";
+    case Reason::kept_border:
+      return "kept_border";
   }
   return {};
 }

@@ -16,6 +16,7 @@ enum class Reason {
   budget,         ///< --max-vertices, or the default budget, is used up, or a part of it in vain
   cancelled,      ///< the caller said stop
   method,         ///< the method asked for does not promise more (the paper's post-process)
+  kept_border,    ///< a side of the domain would have to be cut that the caller wants whole
 };
 std::string to_string(Reason reason);
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <ogr_spatialref.h>
+
+#include <string>
+
+namespace lepp::gdal_helper {
+
+/// A sentence, and what GDAL said last, if anything, on one line.
+inline std::string said(std::string sentence) {
+  std::string last = CPLGetLastErrorMsg();
+  for (char& c : last) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  return last.empty() ? sentence : sentence + " (" + last + ")";
+}
+
+inline std::string wkt_of(const OGRSpatialReference& crs) {
+  char* text = nullptr;
+  std::string wkt;
+  if (crs.exportToWkt(&text) == OGRERR_NONE && text != nullptr) wkt = text;
+  CPLFree(text);
+  return wkt;
+}
+
+}  // namespace lepp::gdal_helper

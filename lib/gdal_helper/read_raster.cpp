@@ -1,0 +1,233 @@
+#include "read_raster.hpp"
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "gdal_failure.hpp"
+#include "lepp/io/sample_values.hpp"
+#include "pipe.hpp"
+
+namespace lepp::gdal_helper {
+namespace {
+
+constexpr std::size_t samples_at_once = std::size_t{1} << 20;
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+Dataset open(const std::string& file) {
+  CPLErrorReset();
+  Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  if (!dataset)
+    throw GdalFailure{ErrorKind::input, "", said("is no raster that GDAL reads"),
+                      "give a raster file; gdalinfo shows what GDAL makes of it"};
+  if (dataset->GetRasterCount() < 1) {
+    throw GdalFailure{ErrorKind::input, "", "has no band of its own, only parts with names",
+                      "extract one with gdal_translate; gdalinfo lists them"};
+  }
+  return dataset;
+}
+
+void read_geotransform(GDALDataset& dataset, GdalRaster& raster) {
+  double g[6];
+  if (dataset.GetGeoTransform(g) != CE_None) return;
+  if (g[2] != 0 || g[4] != 0) {
+    throw GdalFailure{ErrorKind::input, "",
+                      "its rows and columns are rotated against its coordinates",
+                      "straighten it with gdalwarp"};
+  }
+  if (!(g[1] > 0) || g[5] == 0 || !std::isfinite(g[1]) || !std::isfinite(g[5])) {
+    throw GdalFailure{ErrorKind::input, "", "its columns do not run from west to east",
+                      "turn it round with gdalwarp"};
+  }
+  raster.georeferenced = true;
+  raster.step_x = g[1];
+  raster.step_y = g[5];
+  raster.origin = {g[0] + g[1] / 2, g[3] + g[5] / 2};
+}
+
+void read_crs(GDALDataset& dataset, GdalRaster& raster) {
+  const OGRSpatialReference* crs = dataset.GetSpatialRef();
+  if (crs == nullptr || !raster.georeferenced) return;
+  raster.crs = wkt_of(*crs);
+  if (!crs->IsGeographic()) return;
+  const double radians = crs->GetAngularUnits(nullptr);
+  raster.degrees = std::abs(radians * 180 / M_PI - 1) < 1e-9;
+  if (!raster.degrees)
+    raster.warnings.push_back("its angles are not in degrees, so cells are taken as they are");
+}
+
+GdalRaster header_of(GDALDataset& dataset) {
+  GdalRaster raster;
+  raster.columns = static_cast<std::uint32_t>(dataset.GetRasterXSize());
+  raster.rows = static_cast<std::uint32_t>(dataset.GetRasterYSize());
+  read_geotransform(dataset, raster);
+  read_crs(dataset, raster);
+  if (const int bands = dataset.GetRasterCount(); bands > 1)
+    raster.warnings.push_back("has " + std::to_string(bands) +
+                              " bands; band 1 is taken as heights");
+  if (GDALDataTypeIsComplex(dataset.GetRasterBand(1)->GetRasterDataType()))
+    throw GdalFailure{ErrorKind::input, "", "its values are complex numbers",
+                      "give a raster of heights"};
+  return raster;
+}
+
+// Band 1 as floats, block after block.
+class HeightSender {
+ public:
+  HeightSender(GDALDataset& dataset, const GridWindow& window, std::optional<double> nodata)
+      : band_(*dataset.GetRasterBand(1)), window_(window), nodata_(declared(nodata)) {
+    int has = 0;
+    if (const double scale = band_.GetScale(&has); has != 0) scale_ = scale;
+    if (const double offset = band_.GetOffset(&has); has != 0) offset_ = offset;
+    masked_ =
+        (band_.GetMaskFlags() & (GMF_PER_DATASET | GMF_NODATA | GMF_ALL_VALID)) == GMF_PER_DATASET;
+  }
+
+  void run() {
+    GdalRasterEnd end;
+    try {
+      send_blocks();
+    } catch (const GdalFailure& failure) {
+      end.failure = failure;
+    }
+    end.rounding = rounding_;
+    const std::uint32_t no_more = 0;
+    send(std::as_bytes(std::span(&no_more, 1)));
+    send(encode(end));
+  }
+
+ private:
+  std::optional<double> declared(std::optional<double> given) {
+    int has = 0;
+    const double value = band_.GetNoDataValue(&has);
+    if (given) return given;
+    return has != 0 ? std::optional(value) : std::nullopt;
+  }
+
+  // Whole blocks of the file, so that none is read twice.
+  std::uint32_t rows_at_once() const {
+    int width = 0, height = 0;
+    band_.GetBlockSize(&width, &height);
+    const auto block = static_cast<std::size_t>(std::max(height, 1));
+    const std::size_t blocks = samples_at_once / (block * window_.columns);
+    return static_cast<std::uint32_t>(
+        std::min<std::size_t>(block * std::max<std::size_t>(blocks, 1), window_.rows));
+  }
+
+  void send_blocks() {
+    const std::uint32_t most = rows_at_once();
+    for (std::uint32_t row = 0; row < window_.rows;) {
+      // The first block ends where a block of the file does.
+      const std::uint32_t ragged = (window_.row + row) % most;
+      const std::uint32_t rows = std::min(most - ragged, window_.rows - row);
+      read(row, rows);
+      send(std::as_bytes(std::span(&rows, 1)));
+      send(std::as_bytes(std::span(heights_)));
+      row += rows;
+    }
+  }
+
+  void read(std::uint32_t row, std::uint32_t rows) {
+    heights_.resize(std::size_t{rows} * window_.columns);
+    const GDALDataType type = band_.GetRasterDataType();
+    const bool plain =
+        scale_ == 1 && offset_ == 0 &&
+        (type == GDT_Byte || type == GDT_Int16 || type == GDT_UInt16 || type == GDT_Float32);
+    if (plain) {
+      transfer(band_, row, rows, heights_.data(), GDT_Float32);
+      for (float& h : heights_) {
+        if (nodata_.has(h)) h = no_data;
+      }
+    } else {
+      wide_.resize(heights_.size());
+      transfer(band_, row, rows, wide_.data(), GDT_Float64);
+      for (std::size_t i = 0; i < wide_.size(); ++i) heights_[i] = converted(wide_[i], type);
+    }
+    if (masked_) apply_mask(row, rows);
+    if (const auto i = first_infinite(heights_)) {
+      throw GdalFailure{ErrorKind::input,
+                        "column " + std::to_string(window_.column + *i % window_.columns) +
+                            ", row " + std::to_string(window_.row + row + *i / window_.columns),
+                        "the height is infinite, or too large for a float",
+                        "correct it, or name it as the value of no data"};
+    }
+  }
+
+  float converted(double value, GDALDataType type) {
+    const bool integral = type != GDT_Float32 && type != GDT_Float64;
+    const bool none =
+        integral ? value == nodata_.exact : value == nodata_.exact || nodata_.has(to_float(value));
+    if (none || std::isnan(value)) return no_data;
+    const double height = value * scale_ + offset_;
+    const float result = to_float(height);
+    if (std::isfinite(result)) rounding_ = std::max(rounding_, std::abs(height - double(result)));
+    return result;
+  }
+
+  void apply_mask(std::uint32_t row, std::uint32_t rows) {
+    mask_.resize(heights_.size());
+    transfer(*band_.GetMaskBand(), row, rows, mask_.data(), GDT_Byte);
+    for (std::size_t i = 0; i < mask_.size(); ++i) {
+      if (mask_[i] == 0) heights_[i] = no_data;
+    }
+  }
+
+  void transfer(GDALRasterBand& band, std::uint32_t row, std::uint32_t rows, void* to,
+                GDALDataType type) const {
+    const auto whole = [](std::uint32_t x) { return static_cast<int>(x); };
+    CPLErrorReset();
+    const CPLErr error = band.RasterIO(GF_Read, whole(window_.column), whole(window_.row + row),
+                                       whole(window_.columns), whole(rows), to,
+                                       whole(window_.columns), whole(rows), type, 0, 0, nullptr);
+    if (error == CE_None) return;
+    throw GdalFailure{ErrorKind::input, "rows from " + std::to_string(window_.row + row),
+                      said("they cannot be read"), "the file is damaged: get it again"};
+  }
+
+  static constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
+
+  GDALRasterBand& band_;
+  const GridWindow window_;
+  const NodataRange nodata_;
+  double scale_ = 1, offset_ = 0;
+  bool masked_ = false;
+  double rounding_ = 0;
+  std::vector<float> heights_;
+  std::vector<double> wide_;
+  std::vector<unsigned char> mask_;
+};
+
+}  // namespace
+
+void send_raster(const RasterTask& task) {
+  Dataset dataset;
+  GdalRaster raster;
+  try {
+    dataset = open(task.file);
+    raster = header_of(*dataset);
+    if (task.window &&
+        (std::uint64_t{task.window->column} + task.window->columns > raster.columns ||
+         std::uint64_t{task.window->row} + task.window->rows > raster.rows))
+      throw GdalFailure{ErrorKind::input, "", "the window is not inside the raster",
+                        "choose another window"};
+  } catch (const GdalFailure& failure) {
+    raster.failure = failure;
+  }
+  send(encode(raster));
+  if (raster.failure || task.header_only) return;
+  const GridWindow whole{0, 0, raster.columns, raster.rows};
+  HeightSender(*dataset, task.window.value_or(whole), task.nodata).run();
+}
+
+}  // namespace lepp::gdal_helper

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "lepp/io/gdal_options.hpp"
+#include "lepp/terrain/height_grid.hpp"
+
+namespace lepp {
+
+/// Width and height of a cell, > 0.
+struct CellSize {
+  double width = 1, height = 1;
+};
+
+struct HeightGridOptions {
+  /// Where the file has no georeference: the distances between columns and between rows; row 0 is
+  /// the northern one and the last row lies at y = 0. Where it has one: the true size of a cell in
+  /// the unit of the heights, for angles and slopes, in place of what the georeference says.
+  std::optional<CellSize> cell = {};
+  /// Heights that mean no data, in place of what the file declares.
+  std::optional<double> nodata = {};
+  GdalOptions gdal = {};
+};
+
+/// Reads a height grid: ESRI ASCII (.asc), STM, PGM (P2 and P5), NPY, F32; each is known by how it
+/// begins, ESRI ASCII by its name or its first word. All other files go to the separate program
+/// lepp-gdal: GeoTIFF and everything else that GDAL reads, band 1, with scale and offset, declared
+/// values of no data and masks applied; north-up or south-up, not rotated.
+/// \throw InputError   naming the file, and the line or the place in it
+/// \throw RefusedError more than the memory of this machine
+/// Cost   one pass; memory for the heights and about a MiB. Nothing is allocated for heights that
+///        the file is too short to hold.
+HeightGrid read_height_grid(const std::filesystem::path& path,
+                            const HeightGridOptions& options = {});
+
+/// The same without heights: size and georeference.
+HeightGrid read_height_grid_header(const std::filesystem::path& path,
+                                   const HeightGridOptions& options = {});
+
+/// A part of a grid; its georeference is its own, the size of its cells that of the whole grid, so
+/// that neighbours match. It may be without any data. Of binary formats only the part is read.
+HeightGrid read_height_window(const std::filesystem::path& path, const GridWindow& window,
+                              const HeightGridOptions& options = {});
+
+/// \throw InputError  a grid of one row or column, or without any data
+void check_usable(const HeightGrid& grid);
+
+}  // namespace lepp

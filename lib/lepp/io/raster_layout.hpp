@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lepp/io/input_file.hpp"
+#include "lepp/terrain/height_grid.hpp"
+
+namespace lepp {
+
+enum class SampleType { u8, i8, u16, i16, u32, i32, f32, f64 };
+
+std::size_t bytes_of(SampleType type);
+
+/// Where the samples of a binary raster are in its file, and in which form.
+struct RasterLayout {
+  std::uint64_t offset = 0;
+  SampleType type = SampleType::f32;
+  bool big_endian = false;
+  bool by_columns = false;  ///< column after column instead of row after row
+  std::optional<double> nodata;
+};
+
+/// What the header of a binary raster says; the grid has no heights yet.
+struct BinaryRaster {
+  HeightGrid grid;
+  RasterLayout layout;
+};
+
+// One function per format. Each returns nothing if the file is of another one.
+// \throw InputError  a header that makes no sense, or that the size of the file contradicts
+std::optional<BinaryRaster> f32_header(const InputFile& file);
+std::optional<BinaryRaster> npy_header(const InputFile& file);
+std::optional<BinaryRaster> pgm_header(const InputFile& file);  // P5 alone
+std::optional<BinaryRaster> stm_header(const InputFile& file);
+
+/// Sets the size of a grid. \throw InputError  not between 1 and 2^28
+void set_size(HeightGrid& grid, double columns, double rows);
+
+/// \throw InputError  the file has less, or more, than the samples of the grid behind the offset
+void check_bytes(const InputFile& file, const BinaryRaster& raster);
+
+/// The grid of a window, without heights. \throw InputError  the window is empty or sticks out
+HeightGrid grid_of_window(const HeightGrid& whole, const GridWindow& window);
+
+/// Reads the heights of a window, and nothing else of the file. `grid` is grid_of_window().
+/// \throw InputError  naming the first infinite height, or one that no float holds
+/// Cost   one pass; memory for the heights and about a MiB
+void read_samples(const InputFile& file, const BinaryRaster& whole, const GridWindow& window,
+                  HeightGrid& grid);
+
+}  // namespace lepp

@@ -1,0 +1,113 @@
+#include "lepp/io/text_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lepp/geometry/error.hpp"
+
+namespace lepp {
+
+namespace {
+
+class TextHeights {
+ public:
+  TextHeights(const InputFile& file, const TextRaster& whole, const GridWindow& window,
+              HeightGrid& grid)
+      : stream_(file, whole.offset, whole.line),
+        whole_(whole),
+        window_(window),
+        grid_(grid),
+        nodata_(whole.nodata),
+        // A height takes two bytes, with what separates it from the next.
+        room_(file.size() - whole.offset + 1 >= 2 * std::uint64_t{whole.grid.size()}) {}
+
+  void run() {
+    if (room_) grid_.heights.reserve(grid_.size());
+    line_ = whole_.line;
+    for (std::string_view word; stream_.next(word);) {
+      if (whole_.comments && word.starts_with('#')) {
+        stream_.skip_line();
+        continue;
+      }
+      if (stream_.line() != line_) end_line();
+      if (room_ && count_ < whole_.grid.size()) take(stream_.number(word));
+      ++count_;
+      ++on_line_;
+    }
+    end_line();
+    check_count();
+  }
+
+ private:
+  void take(double value) {
+    if (row_ - window_.row < window_.rows && column_ - window_.column < window_.columns)
+      store(value);
+    if (++column_ == whole_.grid.columns) {
+      column_ = 0;
+      ++row_;
+    }
+  }
+
+  void store(double value) {
+    const float height = to_float(value);
+    if (std::isinf(height)) refuse_infinite(stream_.where(), column_, row_);
+    const bool none = nodata_.has(height) || std::isnan(height);
+    grid_.heights.push_back(none ? std::numeric_limits<float>::quiet_NaN() : height);
+    if (!none) grid_.rounding = std::max(grid_.rounding, std::abs(value - double(height)));
+  }
+
+  // Lines may hold parts of a row or whole rows, but no row may begin inside a line that began
+  // inside another: there a value is missing or too much.
+  void end_line() {
+    const std::uint64_t columns = whole_.grid.columns;
+    if (on_line_ != 0) {
+      const std::uint64_t before = (count_ - on_line_) % columns;
+      const bool whole_rows = before == 0 && on_line_ % columns == 0;
+      if (on_line_ != columns && odd_line_ == 0) {
+        odd_line_ = line_;
+        on_odd_line_ = on_line_;
+      }
+      if (!whole_rows && before + on_line_ > columns) shifted_ = true;
+    }
+    on_line_ = 0;
+    line_ = stream_.line();
+  }
+
+  void check_count() const {
+    const std::uint64_t wanted = whole_.grid.size();
+    if (count_ == wanted && !shifted_) return;
+    std::string problem = "holds " + std::to_string(count_) + " values, but its header says " +
+                          std::to_string(wanted) + " (" + std::to_string(whole_.grid.columns) +
+                          " columns, " + std::to_string(whole_.grid.rows) + " rows)";
+    if (odd_line_ != 0) {
+      problem += "; line " + std::to_string(odd_line_) +
+                 (on_odd_line_ < whole_.grid.columns ? " is short, with " : " has ") +
+                 std::to_string(on_odd_line_) + " values";
+    }
+    throw InputError(grid_.source, std::move(problem),
+                     count_ < wanted ? "add what is missing, or export the file again"
+                                     : "correct the header, or remove what is too much");
+  }
+
+  NumberStream stream_;
+  const TextRaster& whole_;
+  const GridWindow window_;
+  HeightGrid& grid_;
+  const NodataRange nodata_;
+  const bool room_;
+  std::uint32_t column_ = 0, row_ = 0;
+  std::uint64_t count_ = 0, on_line_ = 0;
+  std::int64_t line_ = 1;
+  std::int64_t odd_line_ = 0;  // the first with another number of values than columns
+  std::uint64_t on_odd_line_ = 0;
+  bool shifted_ = false;
+};
+
+}  // namespace
+
+void read_text_heights(const InputFile& file, const TextRaster& whole, const GridWindow& window,
+                       HeightGrid& grid) {
+  TextHeights(file, whole, window, grid).run();
+}
+
+}  // namespace lepp

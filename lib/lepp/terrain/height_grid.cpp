@@ -1,0 +1,26 @@
+#include "lepp/terrain/height_grid.hpp"
+
+#include <numbers>
+
+#include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
+
+namespace lepp {
+
+void set_cell_from_degrees(HeightGrid& grid) {
+  constexpr double radian = std::numbers::pi / 180;
+  constexpr double equator = 6378137, squared_eccentricity = 0.00669438;
+  const double latitude = grid.origin.y + 0.5 * double(grid.rows - 1) * grid.step_y;
+  if (!(std::abs(latitude) < 90)) {
+    throw InputError(grid.source, "is in degrees, but its middle latitude is " + to_text(latitude),
+                     "correct its georeference");
+  }
+  const double sine = std::sin(latitude * radian);
+  const double w = 1 - squared_eccentricity * sine * sine;
+  const double along_parallel = equator / std::sqrt(w) * std::cos(latitude * radian);
+  const double along_meridian = equator * (1 - squared_eccentricity) / (w * std::sqrt(w));
+  grid.cell_width = grid.step_x * radian * along_parallel;
+  grid.cell_height = std::abs(grid.step_y) * radian * along_meridian;
+}
+
+}  // namespace lepp

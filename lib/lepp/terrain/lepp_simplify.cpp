@@ -1,0 +1,101 @@
+#include "lepp/terrain/lepp_simplify.hpp"
+
+#include <algorithm>
+
+#include "lepp/terrain/lepp_loop.hpp"
+#include "lepp/terrain/tin_clean_up.hpp"
+
+namespace lepp {
+
+namespace {
+
+// A round of clean-up that takes less than this part of the vertices away is the last.
+constexpr std::size_t next_to_nothing = 200;
+constexpr int most_rounds = 12;
+// Of Effort::normal: a small TIN is cleaned up several times in no time.
+constexpr int some_rounds = 3;
+constexpr std::size_t small = 10000;
+
+class LeppSimplification {
+ public:
+  LeppSimplification(TerrainMesh& terrain, Levels& levels, const SimplifyOptions& options)
+      : terrain_(terrain),
+        levels_(levels),
+        options_(options),
+        loop_(terrain, options.min_angle_deg, [this] { return go_on(); }) {}
+
+  std::vector<Unfinished> run() {
+    for (;;) {
+      reach_level();
+      if (!levels_.next(terrain_.tin(), loop_.largest_error())) break;
+      loop_.freeze();
+    }
+    return small_angles();
+  }
+
+ private:
+  bool go_on() { return levels_.ask_now_and_then(terrain_.mesh().vertex_count()); }
+
+  // What clean-up leaves to be mended, and the vertices that it sets free where there is a limit on
+  // them, are the next round's.
+  void reach_level() {
+    loop_.run(levels_.error(), levels_.vertices());
+    if (options_.effort == Effort::fast) return;
+    for (int round = 0; round < rounds() && !loop_.cancelled(); ++round) {
+      const std::size_t before = terrain_.mesh().vertex_count();
+      const std::size_t gone = clean_up(std::max(levels_.error(), loop_.largest_error()));
+      loop_.run(levels_.error(), levels_.vertices());
+      if (gone * next_to_nothing < before) return;
+    }
+  }
+
+  int rounds() const {
+    const std::size_t vertices = terrain_.mesh().vertex_count();
+    const bool limited = vertices + 16 >= levels_.vertices();
+    if (limited || options_.effort == Effort::best) return most_rounds;
+    return vertices <= small ? some_rounds : 1;
+  }
+
+  std::size_t clean_up(double error) {
+    const std::size_t before = terrain_.mesh().vertex_count();
+    terrain_.renumber(loop_.frozen());
+    TinCleanUp clean_up(terrain_, options_.min_angle_deg, error, loop_.frozen(),
+                        [this] { return go_on(); });
+    clean_up.remove_needless();
+    clean_up.merge();
+    clean_up.remove_needless();
+    return before - terrain_.mesh().vertex_count();
+  }
+
+  std::vector<Unfinished> small_angles() const {
+    const Mesh& mesh = terrain_.mesh();
+    const bool used_up = loop_.out_of_budget() || mesh.vertex_count() >= options_.max_vertices;
+    const Reason otherwise = loop_.cancelled() ? Reason::cancelled
+                             : used_up         ? Reason::budget
+                                               : Reason::size_floor;
+    RefineOptions asked;
+    asked.min_angle_deg = options_.min_angle_deg;
+    asked.obtuse = ObtuseRule::ignore;
+    std::vector<Unfinished> unfinished = judge(mesh, asked, otherwise).unfinished;
+    for (Unfinished& u : unfinished) {
+      if (!is_forced_by_input(u.reason) && loop_.met_kept_border(u.triangle)) {
+        u.reason = Reason::kept_border;
+      }
+    }
+    return unfinished;
+  }
+
+  TerrainMesh& terrain_;
+  Levels& levels_;
+  const SimplifyOptions& options_;
+  LeppLoop loop_;
+};
+
+}  // namespace
+
+std::vector<Unfinished> lepp_simplify(TerrainMesh& terrain, Levels& levels,
+                                      const SimplifyOptions& options) {
+  return LeppSimplification(terrain, levels, options).run();
+}
+
+}  // namespace lepp

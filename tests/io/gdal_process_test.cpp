@@ -1,0 +1,211 @@
+#include "lepp/io/gdal_process.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "io/scratch_folder.hpp"
+#include "lepp/io/height_grid_read.hpp"
+#include "support/real_inputs.hpp"
+
+// Only built where GDAL is. Rasters of our own are VRT files: a header over bytes.
+
+using namespace lepp;
+using test::contains;
+using test::error_of;
+using test::ScratchFolder;
+
+namespace {
+
+/// A raster of 3 x 2 over the bytes in "data.bin".
+std::string vrt(const std::string& type, int bytes, const std::string& georeference,
+                const std::string& band) {
+  const std::string pixel = std::to_string(bytes), line = std::to_string(3 * bytes);
+  return "<VRTDataset rasterXSize=\"3\" rasterYSize=\"2\">" + georeference +
+         "<VRTRasterBand dataType=\"" + type + "\" band=\"1\" subClass=\"VRTRawRasterBand\">" +
+         band + "<SourceFilename relativeToVRT=\"1\">data.bin</SourceFilename>" +
+         "<ImageOffset>0</ImageOffset><PixelOffset>" + pixel + "</PixelOffset><LineOffset>" + line +
+         "</LineOffset><ByteOrder>LSB</ByteOrder></VRTRasterBand></VRTDataset>";
+}
+
+template <class T>
+std::string bytes_of_values(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+const std::string north_up = "<GeoTransform>100, 10, 0, 50, 0, -5</GeoTransform>";
+
+template <class T>
+HeightGrid read(const std::string& type, const std::vector<T>& values, const std::string& band,
+                const std::string& georeference = north_up, const HeightGridOptions& options = {}) {
+  const ScratchFolder folder;
+  folder.put("data.bin", bytes_of_values(values));
+  return read_height_grid(folder.put("a.vrt", vrt(type, sizeof(T), georeference, band)), options);
+}
+
+std::string refusal(const std::string& georeference) {
+  return error_of<InputError>([&] {
+    read<float>("Float32", {1, 2, 3, 4, 5, 6}, "", georeference);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("GDAL: a north-up raster, its samples in the middle of pixels") {
+  const HeightGrid grid = read<float>("Float32", {1, 2, 3, 4, 5, 6}, "");
+  CHECK(grid.heights == std::vector<float>{1, 2, 3, 4, 5, 6});
+  CHECK(grid.georeferenced);
+  CHECK(grid.origin == Point{105, 47.5});
+  CHECK(grid.step_x == 10);
+  CHECK(grid.step_y == -5);
+  CHECK(grid.cell_height == 5);
+  CHECK(grid.to_grid({105, 42.5}) == Point{0, 0});
+}
+
+TEST_CASE("GDAL: a south-up raster has its first row in the south") {
+  const HeightGrid grid = read<float>("Float32", {1, 2, 3, 4, 5, 6}, "",
+                                      "<GeoTransform>100, 10, 0, 50, 0, 5</GeoTransform>");
+  CHECK(!grid.north_first());
+  CHECK(grid.origin == Point{105, 52.5});
+  CHECK(grid.to_grid({105, 52.5}) == Point{0, 0});
+}
+
+TEST_CASE("GDAL: rotated and mirrored rasters are refused") {
+  CHECK(contains(refusal("<GeoTransform>0, 1, 0.1, 0, 0.1, -1</GeoTransform>"), "rotated"));
+  CHECK(contains(refusal("<GeoTransform>0, -1, 0, 0, 0, -1</GeoTransform>"), "west to east"));
+}
+
+TEST_CASE("GDAL: without a georeference the cell size is asked for") {
+  const HeightGrid grid =
+      read<float>("Float32", {1, 2, 3, 4, 5, 6}, "", "", {.cell = CellSize{30, 20}});
+  CHECK(!grid.georeferenced);
+  CHECK(grid.origin == Point{0, 20});
+  CHECK(grid.cell_width == 30);
+}
+
+TEST_CASE("GDAL: degrees get cells in metres") {
+  const HeightGrid grid =
+      read<float>("Float32", {1, 2, 3, 4, 5, 6}, "",
+                  "<SRS>EPSG:4326</SRS><GeoTransform>7, 1, 0, 46, 0, -1</GeoTransform>");
+  CHECK(grid.degrees);
+  CHECK(contains(grid.crs, "WGS 84"));
+  CHECK(grid.cell_width == doctest::Approx(78846.8).epsilon(1e-5));
+}
+
+TEST_CASE("GDAL: no data by declaration, by NaN, and by a double that the floats are nearest to") {
+  const auto without = [](const HeightGrid& grid) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      if (std::isnan(grid.heights[i])) found.push_back(i);
+    }
+    return found;
+  };
+  using Places = std::vector<std::size_t>;
+  const auto nodata = [](const std::string& value) {
+    return "<NoDataValue>" + value + "</NoDataValue>";
+  };
+  CHECK(without(read<std::int16_t>("Int16", {1, -99, 3, 4, 5, -99}, nodata("-99"))) ==
+        Places{1, 5});
+  CHECK(without(read<float>("Float32", {1, NAN, 0.1F, 4, 5, 6}, nodata("0.1"))) == Places{1, 2});
+  CHECK(without(read<float>("Float32", {1, 2, -3.4028235e38F, 4, 5, 6}, nodata("-3.402823e38"))) ==
+        Places{2});
+  CHECK(without(read<double>("Float64", {1, 2, -1e300, 4, NAN, 6}, nodata("-1e300"))) ==
+        Places{2, 4});
+  const HeightGridOptions asked{.nodata = 4};
+  CHECK(without(read<float>("Float32", {1, 2, 3, 4, 5, 6}, nodata("5"), north_up, asked)) ==
+        Places{3});
+}
+
+TEST_CASE("GDAL: scale and offset are applied, and heights that are no floats noticed") {
+  const HeightGrid scaled =
+      read<std::int16_t>("Int16", {1, 2, -9, 4, 5, 6},
+                         "<NoDataValue>-9</NoDataValue><Offset>100</Offset><Scale>0.5</Scale>");
+  CHECK(scaled.heights[1] == 101);
+  CHECK(std::isnan(scaled.heights[2]));
+  CHECK(scaled.rounding == 0);
+  CHECK(read<double>("Float64", {1, 2, 3, 4, 5, 0.1}, "").rounding == 0.1F - 0.1);
+  CHECK(read<std::int32_t>("Int32", {1, 2, 3, 4, 5, 16777217}, "").rounding == 1);
+}
+
+TEST_CASE("GDAL: an infinite height is refused, with its place") {
+  const auto message = [](double height) {
+    return error_of<InputError>([&] { read<double>("Float64", {1, 2, 3, 4, height, 6}, ""); });
+  };
+  CHECK(contains(message(INFINITY), "column 1, row 1"));
+  CHECK(contains(message(1e39), "column 1, row 1"));
+}
+
+TEST_CASE("GDAL: a header and a window, without the rest") {
+  const ScratchFolder folder;
+  folder.put("data.bin", bytes_of_values<float>({1, 2, 3, 4, 5, 6}));
+  const auto path = folder.put("a.vrt", vrt("Float32", 4, north_up, ""));
+  const HeightGrid header = read_height_grid_header(path);
+  CHECK(header.columns == 3);
+  CHECK(header.heights.empty());
+  const HeightGrid part = read_height_window(path, {1, 0, 2, 2});
+  CHECK(part.heights == std::vector<float>{2, 3, 5, 6});
+  CHECK(part.origin == Point{115, 47.5});
+  CHECK(contains(error_of<InputError>([&] { read_height_window(path, {2, 0, 2, 2}); }), "window"));
+}
+
+TEST_CASE("GDAL: what is no raster, what is cut short and what claims too much is refused") {
+  const ScratchFolder folder;
+  const auto text = folder.put("a.tif", "no raster");
+  CHECK(contains(error_of<InputError>([&] { read_height_grid(text); }), "is no raster"));
+  if (const auto real = test::real_input("dem/lux_elev.tif")) {
+    std::ifstream file(*real, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const auto cut = folder.put("b.tif", bytes.substr(0, bytes.size() / 2));
+    CHECK(contains(error_of<InputError>([&] { read_height_grid(cut); }), "b.tif"));
+  }
+  const auto huge = folder.put("c.vrt",
+                               "<VRTDataset rasterXSize=\"200000000\" rasterYSize=\"200000000\">"
+                               "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>");
+  CHECK(
+      contains(error_of<RefusedError>([&] { read_height_grid(huge); }), "more than this machine"));
+}
+
+TEST_CASE("GDAL: a missing helper is said, with the package that brings it") {
+  const ScratchFolder folder;
+  const auto file = folder.put("a.tif", "II*");
+  HeightGridOptions options;
+  options.gdal.helper = folder / "nothing";
+  const std::string message = error_of<InputError>([&] { read_height_grid(file, options); });
+  CHECK(contains(message, "lepp-gdal"));
+  CHECK(contains(message, "libgdal-dev"));
+}
+
+TEST_CASE("GDAL: real rasters have the size, range and cells that their list gives") {
+  struct Known {
+    const char* name;
+    std::uint32_t columns, rows;
+    double width, height, low, high;
+    std::size_t without;
+  };
+  for (const Known& known :
+       {Known{"riorgbify_elev_nonsquare.tif", 512, 512, 6.7218, 6.0590, 0.436, 114.92, 0},
+        Known{"pysheds_dem.tif", 367, 359, 78.16, 92.42, 147, 298, 0},
+        Known{"lux_elev.tif", 95, 90, 599.7, 926.9, 141, 547, 3942},
+        Known{"pyterra_dgm5_southup.tif", 201, 401, 5, 5, 513.42, 562.54, 0}}) {
+    CAPTURE(known.name);
+    const auto path = test::real_input(std::string("dem/") + known.name);
+    if (!path) continue;
+    const HeightGrid grid = read_height_grid(*path);
+    CHECK(grid.columns == known.columns);
+    CHECK(grid.rows == known.rows);
+    CHECK(grid.cell_width == doctest::Approx(known.width).epsilon(1e-3));
+    CHECK(grid.cell_height == doctest::Approx(known.height).epsilon(1e-3));
+    float low = INFINITY, high = -INFINITY;
+    std::size_t without = 0;
+    for (const float h : grid.heights) {
+      without += std::isnan(h);
+      low = std::fmin(low, h);
+      high = std::fmax(high, h);
+    }
+    CHECK(low == doctest::Approx(known.low).epsilon(1e-3));
+    CHECK(high == doctest::Approx(known.high).epsilon(1e-3));
+    CHECK(without == known.without);
+  }
+}
