@@ -49,11 +49,17 @@ class SurfaceSimplification {
   }
 
  private:
-  // The planar simplification, as if any error would do. It starts from a Delaunay mesh.
+  // The planar simplification: as if any error would do, or to the error of the first level where
+  // its clean-up is worth the time. It starts from a Delaunay mesh.
   void make_coarse() {
     SimplifyOptions coarse = options_;
-    coarse.max_error = std::numeric_limits<double>::infinity();
+    if (options_.effort == Effort::fast) {
+      coarse.max_error = std::numeric_limits<double>::infinity();
+    } else if (!options_.level_errors.empty()) {
+      coarse.max_error = options_.level_errors.front();
+    }
     coarse.max_vertices = levels_.vertices();
+    coarse.progress = [this](std::size_t vertices) { return levels_.ask(vertices); };
     coarse.level_errors = {};
     coarse.level_vertices = {};
     SimplifyReport report;
