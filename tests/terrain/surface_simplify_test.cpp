@@ -197,6 +197,31 @@ TEST_CASE("Surface metric: levels are prefixes of one another, each within its b
   check_surface(grid, tins.back(), report);
 }
 
+TEST_CASE(
+    "Surface metric: levels by counts, also where the coarse mesh is not complete at the first") {
+  const HeightGrid grid = steep_hills(70, 50);
+  TerrainDomain domain = rectangle(grid);
+  add_chain(domain.pslg, {{5, 5}, {60, 9}, {7, 21}}, false);
+  for (const Effort effort : {Effort::fast, Effort::normal}) {
+    std::vector<Tin> tins;
+    SimplifyOptions options{.max_vertices = 120, .effort = effort, .level_vertices = {12, 60}};
+    options.on_level = [&](const Tin& tin, const TerrainLevel& level) {
+      CHECK(measure_error(grid, tin).max == level.max_error);
+      CHECK(validate(tin.mesh, {.delaunay = false}).summary() == "valid");
+      tins.push_back(tin);
+    };
+    SimplifyReport report;
+    tins.push_back(run(grid, domain, options, TerrainMetric::surface, report));
+    REQUIRE(tins.size() == 3);
+    for (std::size_t level = 0; level + 1 < tins.size(); ++level) {
+      const auto points = tins[level].mesh.points(), next = tins[level + 1].mesh.points();
+      REQUIRE(points.size() < next.size());
+      CHECK(std::equal(points.begin(), points.end(), next.begin()));
+    }
+    check_surface(grid, tins.back(), report);
+  }
+}
+
 TEST_CASE("Surface metric: a bound of 0 ends, and so does one without angles") {
   const HeightGrid grid = wild(17, 14, 1);
   SimplifyReport report;

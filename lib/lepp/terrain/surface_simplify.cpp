@@ -32,7 +32,8 @@ class SurfaceSimplification {
 
   void run(SimplifyReport& report) {
     double bound = 0;
-    for (bool is_coarse = true;;) {
+    for (bool is_coarse = true, is_first = true;; is_first = false) {
+      if (is_coarse && !is_first) make_planar();
       if (is_coarse) make_coarse();
       is_coarse = is_coarse && mesh_.vertex_count() >= levels_.vertices();
       bound = levels_.error();
@@ -49,8 +50,16 @@ class SurfaceSimplification {
   }
 
  private:
+  // Undoes the flips of a level that ended before the coarse mesh was complete.
+  void make_planar() {
+    make_delaunay(terrain_.mesh());
+    std::vector<TriangleId> all;
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) all.emplace_back(t);
+    terrain_.rescan(all);
+  }
+
   // The planar simplification: as if any error would do, or to the error of the first level where
-  // its clean-up is worth the time. It starts from a Delaunay mesh.
+  // its clean-up is worth the time.
   void make_coarse() {
     SimplifyOptions coarse = options_;
     if (options_.effort == Effort::fast) {
@@ -64,7 +73,6 @@ class SurfaceSimplification {
     coarse.level_vertices = {};
     SimplifyReport report;
     Levels levels(terrain_.grid(), coarse, report);
-    make_delaunay(terrain_.mesh());
     loop_.take_over(lepp_simplify(terrain_, levels, coarse));
   }
 
