@@ -209,7 +209,6 @@ TEST_CASE("simplify refuses options out of range") {
   };
   CHECK_THROWS_AS(run({.max_error = -1}), InputError);
   CHECK_THROWS_AS(run({.min_angle_deg = 35}), InputError);
-  CHECK_THROWS_AS(run({.metric = TerrainMetric::surface}), InputError);
   CHECK_THROWS_AS(run({.max_error = 5, .level_errors = {10, 20}}), InputError);
   CHECK_THROWS_AS(run({.max_error = 5, .level_errors = {4}}), InputError);
   CHECK_THROWS_AS(run({.level_vertices = {20, 10}}), InputError);

@@ -8,6 +8,7 @@
 #include "lepp/terrain/greedy.hpp"
 #include "lepp/terrain/lepp_simplify.hpp"
 #include "lepp/terrain/levels.hpp"
+#include "lepp/terrain/surface_simplify.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
 
 namespace lepp {
@@ -27,8 +28,8 @@ void check_options(const SimplifyOptions& o) {
         "the largest error is negative or no number", "give one of 0 or more");
   check(o.min_angle_deg >= 0 && o.min_angle_deg <= largest_min_angle, where,
         "the smallest angle is not between 0 and 34 degrees", "give one that is");
-  check(o.metric == TerrainMetric::planar, where,
-        "the metric of the surface is not available in this version", "use the planar one");
+  check(o.metric == TerrainMetric::planar || o.by == SimplifyBy::lepp, where,
+        "greedy insertion knows the planar metric alone", "simplify by lepp, or in plan");
   check(std::ranges::is_sorted(o.level_errors, std::greater<>()) &&
             (o.level_errors.empty() || o.level_errors.back() >= o.max_error),
         where, "the errors of the levels do not descend to the largest error",
@@ -50,12 +51,15 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
   report.first_prefix = terrain.mesh().vertex_count();
   if (options.by == SimplifyBy::greedy) {
     greedy(terrain, levels, report.error_of_prefix);
+  } else if (options.metric == TerrainMetric::surface) {
+    surface_simplify(terrain, levels, options, report);
   } else {
     report.unfinished = lepp_simplify(terrain, levels, options);
   }
   Tin tin = terrain.take();
   report.error = measure_error(grid, tin);
   report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
+  note_angles(grid, tin, options.min_angle_deg, report.surface);
   report.goal_reached = report.error.max <= levels.last_error() &&
                         std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
                           return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;

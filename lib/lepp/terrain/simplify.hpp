@@ -8,6 +8,7 @@
 
 #include "lepp/refine/refine.hpp"
 #include "lepp/terrain/height_grid.hpp"
+#include "lepp/terrain/surface_report.hpp"
 #include "lepp/terrain/terrain_domain.hpp"
 #include "lepp/terrain/tin.hpp"
 #include "lepp/triangulation/unfinished.hpp"
@@ -40,6 +41,8 @@ struct SimplifyOptions {
   SimplifyBy by = SimplifyBy::lepp;
   /// How much time `lepp` gives to fewer vertices: none, one round of clean-up, or many.
   Effort effort = Effort::normal;
+  /// By the surface metric Effort::fast fits every sample by LEPP in space, the others start from
+  /// the planar TIN.
   TerrainMetric metric = TerrainMetric::planar;
   double min_angle_deg = 30;  ///< of `lepp`, in the plane with true cell sizes; 0 to 34
   /// One run gives nested levels: for each error (descending, above max_error) the vertices of a
@@ -73,14 +76,18 @@ struct SimplifyReport {
   /// with one more each.
   std::size_t first_prefix = 0;
   std::vector<double> error_of_prefix;
-  std::vector<Unfinished> unfinished;  ///< triangles below the angle bound, and why
+  /// Triangles below the angle bound, and why; by the surface metric those with an angle in plan
+  /// below 15 degrees (or the bound, if that is less).
+  std::vector<Unfinished> unfinished;
+  SurfaceReport surface;  ///< angles in space, by either metric
 };
 
 /// A grid as a TIN within a domain.
 /// \param domain  outline, holes and breaklines in grid space, and heights that lines ask for
-/// \return  a TIN in grid space; its mesh satisfies M1 to M6 (planar metric)
+/// \return  a TIN in grid space; its mesh satisfies M1 to M6, or M1 to M5 by the surface metric
+///          (validate_surface.hpp says what holds in place of M6)
 /// \throw   InputError on options out of range, RefusedError
-/// Source   [rivara1999] section 8, [garland1995]; docs/algorithms/terrain.md
+/// Source   [rivara1999] section 8, [garland1995]; docs/algorithms/terrain.md, terrain_surface.md
 Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const SimplifyOptions& options,
              SimplifyReport& report);
 

@@ -63,6 +63,8 @@ class TerrainMesh {
 
   /// False for sides of the domain that have to stay whole.
   bool may_cut(HalfEdge e) const;
+  /// True if the height of each place on `e` is asked for by a line.
+  bool is_hard(HalfEdge e) const;
 
   /// The constrained edge of `t` that `p`, a place in it, lies on up to rounding.
   std::optional<HalfEdge> constrained_edge_at(TriangleId t, Point p) const;
@@ -98,7 +100,6 @@ class TerrainMesh {
  private:
   void scan_triangle(TriangleId t);
   bool choose_diagonal(HalfEdge e);
-  bool is_hard(HalfEdge e) const;
   bool is_on(HalfEdge e, Point p) const;
   void put_on_line(VertexId v);
   bool cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed);

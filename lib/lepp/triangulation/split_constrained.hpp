@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lepp/triangulation/mesh.hpp"
@@ -19,6 +20,11 @@ struct ConstrainedPiece {
   CurvePiece piece;
 };
 ConstrainedPiece piece_from(const Mesh& mesh, HalfEdge e, VertexId from);
+
+/// A double at or next to `p`, a rounded point of the chord of `e`, that can cut `e`. Where nothing
+/// lies across, it is on the chord or on the mesh's side of it, exactly.
+/// \return nothing if no double there can
+std::optional<Point> place_on_chord(const Mesh& mesh, HalfEdge e, Point p);
 
 /// Cuts constrained edge `e` at the point halfway along it, on its curve if it has one and the
 /// mesh stays valid, else on the chord. A point on the chord of a boundary edge never lies outside
