@@ -47,9 +47,11 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/terrain/height_grid.hpp
   lepp/terrain/nonobtuse_tin.hpp
   lepp/terrain/simplify.hpp
+  lepp/terrain/surface_report.hpp
   lepp/terrain/terrain_domain.hpp
   lepp/terrain/tile_border.hpp
   lepp/terrain/tin.hpp
+  lepp/terrain/validate_surface.hpp
   lepp/terrain/world_tin.hpp
   lepp/voronoi/admissible.hpp
   lepp/voronoi/voronoi_boxes.hpp)
