@@ -8,6 +8,8 @@
 #include "interrupt.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/terrain/nonobtuse_tin.hpp"
+#include "lepp/terrain/surface_simplify.hpp"
+#include "lepp/terrain/validate_surface.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
@@ -72,6 +74,29 @@ class Run {
     };
     made_.finest.tin = simplify(grid_, domain_, options, simplified_);
     if (job_.border_error) excuse_borders();
+  }
+
+  // By the surface metric the sphere criterion holds but at the edges listed.
+  void judge_in_space() {
+    const MadeTin& finest = made_.finest;
+    SurfaceReport& surface = simplified_.surface;
+    note_angles(grid_, finest.tin, job_.simplify.min_angle_deg, surface);
+    TerrainInSpace& in_space = report().in_space;
+    in_space.min_angle_deg = surface.min_angle_deg;
+    in_space.mean_min_angle_deg = surface.mean_min_angle_deg;
+    if (job_.simplify.metric == TerrainMetric::planar) return;
+    in_space.plan_angle_deg = surface.plan_angle_deg;
+    in_space.tame = surface.tame;
+    in_space.untame = surface.untame;
+    for (const auto& [edge, rule] : surface.violations) {
+      const Mesh& world = finest.world.mesh;
+      in_space.kept_edges.push_back(
+          {world.point(world.origin(edge)), world.point(world.destination(edge)), rule});
+    }
+    report().seconds.check += timed([&] {
+      note(validate_surface(grid_, finest.tin,
+                            {surface.bound, surface.plan_angle_deg, surface.violations}));
+    });
   }
 
   void make_admissible() {
@@ -176,6 +201,7 @@ class Run {
       r.smallest_angles = angle_histogram(judged);
     });
     r.below_bound = count_reasons(simplified_.unfinished);
+    judge_in_space();
     // Asked for a number of vertices alone, a run may be as far off as it is.
     const bool is_good = job_.claims_error ? simplified_.goal_reached : angles_reached();
     r.goal_reached = is_good && !interrupted() && r.admissible.value_or(true);
@@ -256,6 +282,13 @@ MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const T
   return Run(grid, place, job)();
 }
 
+void add_to(TerrainInSpace& whole, const TerrainInSpace& part) {
+  whole.plan_angle_deg = part.plan_angle_deg;
+  whole.tame += part.tame;
+  whole.untame += part.untame;
+  whole.kept_edges.insert(whole.kept_edges.end(), part.kept_edges.begin(), part.kept_edges.end());
+}
+
 void add_to(TerrainReport& whole, const TerrainReport& part) {
   const bool is_first = whole.whole.triangles == 0;
   const auto smaller = [&](double a, double b) { return is_first ? b : std::min(a, b); };
@@ -263,6 +296,11 @@ void add_to(TerrainReport& whole, const TerrainReport& part) {
   whole.max_angle_deg_found = std::max(whole.max_angle_deg_found, part.max_angle_deg_found);
   whole.mean_min_angle_deg = joined_mean(whole.mean_min_angle_deg, whole.whole.triangles,
                                          part.mean_min_angle_deg, part.whole.triangles);
+  whole.in_space.min_angle_deg = smaller(whole.in_space.min_angle_deg, part.in_space.min_angle_deg);
+  whole.in_space.mean_min_angle_deg =
+      joined_mean(whole.in_space.mean_min_angle_deg, whole.whole.triangles,
+                  part.in_space.mean_min_angle_deg, part.whole.triangles);
+  add_to(whole.in_space, part.in_space);
   for (std::size_t i = 0; i < whole.smallest_angles.size(); ++i) {
     whole.smallest_angles[i] += part.smallest_angles[i];
   }

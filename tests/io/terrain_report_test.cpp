@@ -67,6 +67,24 @@ TEST_CASE("the terrain report for people says what was asked for beside what was
   CHECK_FALSE(contains(text, "admissible"));
 }
 
+TEST_CASE("by the surface metric both reports list what breaks the sphere criterion") {
+  TerrainReport report = sample();
+  report.in_space = {12.5, 40.25, 7, 2, {{{1, 2}, {3, 4}, KeptBy::angle}, {{}, {}, KeptBy::shape}}};
+  auto json = nlohmann::json::parse(to_json(report));
+  CHECK(json["in_space"] ==
+        nlohmann::json({{"min_angle_deg", 12.5}, {"mean_min_angle_deg", 40.25}}));
+  report.metric = "surface";
+  json = nlohmann::json::parse(to_json(report));
+  CHECK(json["in_space"]["tame"] == 7);
+  CHECK(json["in_space"]["kept_edges"].size() == 2);
+  CHECK(json["in_space"]["kept_edges"][0]["to"] == nlohmann::json({3.0, 4.0}));
+  CHECK(json["in_space"]["kept_edges"][0]["kept_by"] == to_string(KeptBy::angle));
+  const std::string text = to_text(report);
+  CHECK(contains(text, "7, 2"));
+  CHECK(contains(text, "1 " + to_string(KeptBy::angle)));
+  CHECK(contains(text, "mean of the smallest 40.25"));
+}
+
 TEST_CASE("the histogram counts each triangle once, by its smallest angle") {
   const AngleHistogram square = angle_histogram(test::square());  // two triangles of 45 degrees
   CHECK(square[8] + square[9] == 2);

@@ -106,6 +106,9 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-vertices 100 --tiles 2x2", "needs --max-error"},
       {"-o x.obj --max-error 1 --tiles 2x2 --nonobtuse", "borders of tiles"},
       {"-o x.obj --max-error 1 --by greedy --nonobtuse", "--by lepp only"},
+      {"-o x.obj --max-error 1 --by greedy --min-angle 20", "--by lepp only"},
+      {"-o x.obj --max-error 1 --by greedy --effort best", "--by lepp only"},
+      {"-o x.obj --max-error 1 --effort much", "'much' is none of fast, normal, best"},
       {"-o x.obj --max-error 1 --levels 5,10", "must be errors that descend"},
       {"-o x.obj --max-error 5 --levels 2", "all above --max-error"},
       {"-o x.obj --max-error 1 --levels 5 --nonobtuse", "run without levels"},
@@ -304,6 +307,26 @@ TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
       run(folder.path(), "check t.msh --nonobtuse --admissible --delaunay --min-angle 30");
   CHECK(checked.status == 0);
   CHECK(has(checked.out, "read in plan, without its heights"));
+}
+
+TEST_CASE("the surface metric keeps the error, and lists what breaks its criterion") {
+  const ScratchFolder folder;
+  const HeightGrid grid = hill_grid();
+  for (const std::string effort : {"fast", "normal"}) {
+    CAPTURE(effort);
+    const Outcome made = run(
+        folder.path(), "terrain " + hill + " -o t.obj --force --json - --max-error 2 --metric " +
+                           "surface --effort " + effort);
+    REQUIRE(made.status == 0);
+    const Json report = Json::parse(made.out);
+    CHECK(report["valid"] == true);
+    CHECK(measured(read_obj(folder / "t.obj"), grid).error <= 2 + 1e-9);
+    CHECK(report["min_angle_deg"] >= 15 - 1e-9);
+    CHECK(report["in_space"]["plan_angle_deg"] == 15);
+    CHECK(report["in_space"]["mean_min_angle_deg"] > 30);
+    for (const Json& edge : report["in_space"]["kept_edges"]) CHECK(edge.contains("kept_by"));
+    CHECK(has(made.err, "edges against the sphere rule"));
+  }
 }
 
 TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") {

@@ -55,6 +55,23 @@ Json asked_for(const TerrainReport& r) {
           {"min_angle_deg", optional(r.min_angle_deg)}};
 }
 
+Json place(Point p) { return {p.x, p.y}; }
+
+Json in_space(const TerrainReport& r) {
+  const TerrainInSpace& s = r.in_space;
+  Json json{{"min_angle_deg", s.min_angle_deg}, {"mean_min_angle_deg", s.mean_min_angle_deg}};
+  if (r.metric != "surface") return json;
+  json["plan_angle_deg"] = s.plan_angle_deg;
+  json["tame"] = s.tame;
+  json["untame"] = s.untame;
+  json["kept_edges"] = Json::array();
+  for (const auto& [a, b, rule] : s.kept_edges) {
+    json["kept_edges"].push_back(
+        {{"from", place(a)}, {"to", place(b)}, {"kept_by", to_string(rule)}});
+  }
+  return json;
+}
+
 Json seconds(const TerrainSeconds& s) {
   return {{"read", s.read},           {"domain", s.domain},   {"simplify", s.simplify},
           {"nonobtuse", s.nonobtuse}, {"measure", s.measure}, {"check", s.check},
@@ -93,6 +110,7 @@ std::string to_json(const TerrainReport& r) {
   json["mean_min_angle_deg"] = r.mean_min_angle_deg;
   json["max_angle_deg"] = r.max_angle_deg_found;
   json["smallest_angles"] = r.smallest_angles;
+  json["in_space"] = in_space(r);
   json["below_bound"] = below_bound(r.below_bound);
   json["obtuse_constrained"] = r.obtuse_constrained;
   json["admissible"] = optional(r.admissible);

@@ -30,6 +30,20 @@ struct TerrainFigures {
 using AngleHistogram = std::array<std::size_t, 12>;
 AngleHistogram angle_histogram(const Mesh& mesh);
 
+/// An edge that breaks the sphere criterion, by the surface metric, in world coordinates.
+struct KeptEdge {
+  Point a, b;
+  KeptBy kept_by = KeptBy::constraint;
+};
+
+/// The TIN as a surface in space, heights and cells in one unit (surface_report.hpp).
+struct TerrainInSpace {
+  double min_angle_deg = 0, mean_min_angle_deg = 0;
+  std::size_t tame = 0, untame = 0;  ///< insertions of the surface metric, after those of the plan
+  std::vector<KeptEdge> kept_edges;  ///< by the surface metric
+  double plan_angle_deg = 0;         ///< what the surface metric promises of angles in plan
+};
+
 /// Everything a run of `lepp terrain` has to say. Angles are those of the plane with true cell
 /// sizes; columns and rows count from 0, row 0 the first of the file.
 struct TerrainReport {
@@ -46,6 +60,7 @@ struct TerrainReport {
   std::vector<TerrainFigures> tiles;   ///< row by row
   double min_angle_deg_found = 0, max_angle_deg_found = 0, mean_min_angle_deg = 0;
   AngleHistogram smallest_angles{};
+  TerrainInSpace in_space;
   ReasonCounts below_bound{};
   std::size_t obtuse_constrained = 0;
   std::optional<bool> admissible;

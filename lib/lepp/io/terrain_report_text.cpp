@@ -75,14 +75,42 @@ std::string reasons(const ReasonCounts& counts) {
   return text.empty() ? "0" : text;
 }
 
+std::string rules(const std::vector<KeptEdge>& edges) {
+  std::array<std::size_t, 5> counts{};
+  for (const KeptEdge& edge : edges) ++counts.at(static_cast<std::size_t>(edge.kept_by));
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i],
+                        to_string(static_cast<KeptBy>(i)));
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::string space_lines(const TerrainReport& r) {
+  const TerrainInSpace& s = r.in_space;
+  std::string text;
+  add_line(text, "angles in space",
+           fmt::format("from {:.2f} degrees, mean of the smallest {:.2f}", s.min_angle_deg,
+                       s.mean_min_angle_deg));
+  if (r.metric != "surface") return text;
+  add_line(text, "inserted tame, untame", fmt::format("{}, {}", s.tame, s.untame));
+  add_line(text, "edges against the sphere rule", rules(s.kept_edges));
+  return text;
+}
+
 std::string angle_lines(const TerrainReport& r) {
   std::string text;
   add_line(text, "angles",
            fmt::format("{:.2f} to {:.2f} degrees, mean of the smallest {:.2f}",
                        r.min_angle_deg_found, r.max_angle_deg_found, r.mean_min_angle_deg));
   add_line(text, "smallest angles", histogram(r.smallest_angles));
+  text += space_lines(r);
   if (r.min_angle_deg) {
-    add_line(text, fmt::format("triangles below {:.6g} degrees", *r.min_angle_deg),
+    const bool in_plan = r.metric != "surface";
+    add_line(text,
+             fmt::format("triangles below {:.6g} degrees",
+                         in_plan ? *r.min_angle_deg : r.in_space.plan_angle_deg),
              reasons(r.below_bound));
   }
   if (r.admissible) {
