@@ -12,6 +12,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/geometry/error.hpp
   lepp/geometry/growing_array.hpp
   lepp/geometry/ids.hpp
+  lepp/geometry/memory_access.hpp
   lepp/geometry/point.hpp
   lepp/geometry/predicates.hpp
   lepp/geometry/pslg.hpp

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
 
 #include "lepp/bisection/cutter.hpp"
 #include "lepp/bisection/forest.hpp"
+#include "lepp/geometry/memory_access.hpp"
 #include "lepp/geometry/two_threads.hpp"
 
 namespace lepp {
@@ -157,9 +157,8 @@ void Bisector::judge(Part& part, TriangleId t) {
   const HalfEdge e = forest_.edge_to_cut(t);
   const auto across = mesh_.twin(e);
   if (across && forest_.edge_to_cut(across->triangle) != *across) {
-    const std::atomic_ref neighbour(state(across->triangle));
-    if (neighbour.load(std::memory_order_relaxed) == State::idle) part.stuck.push_back(t);
-    std::atomic_ref(state(t)).store(State::waiting, std::memory_order_relaxed);
+    if (load_relaxed(state(across->triangle)) == State::idle) part.stuck.push_back(t);
+    store_relaxed(state(t), State::waiting);
     part.waited.push_back(t);
   } else if (across && is_wanted(across->triangle) && across->triangle < t) {
     return;  // cut when the neighbour's turn comes

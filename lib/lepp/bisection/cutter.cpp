@@ -147,7 +147,7 @@ void Cutter::grow_tree(const Cut::Side& side) {
 
 void Cutter::prefetch(TriangleId t) const {
   mesh_.prefetch(t);
-  __builtin_prefetch(forest_.leaves_.data() + t.index());
+  lepp::prefetch(forest_.leaves_.data() + t.index());
 }
 
 // Each step looks at what the step before, some places ago, has asked for.
@@ -171,7 +171,7 @@ void Cutter::prefetch_for_writes(std::span<const Cut> cuts, std::size_t i) const
   }
   if (i + step >= cuts.size()) return;
   for (const Cut::Side& side : cuts[i + step].both()) {
-    __builtin_prefetch(&forest_.pairs_[forest_.leaves_[side.e.triangle.index()].node / 2]);
+    lepp::prefetch(&forest_.pairs_[forest_.leaves_[side.e.triangle.index()].node / 2]);
     mesh_.prefetch_leaving(mesh_.destination(side.e));
     if (const auto across = mesh_.twin(next_edge(side.e))) prefetch(across->triangle);
     if (const auto across = mesh_.twin(previous_edge(side.e))) prefetch(across->triangle);

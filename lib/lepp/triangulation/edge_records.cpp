@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lepp/geometry/memory_access.hpp"
+
 namespace lepp {
 
 // Multiplies by an odd constant and maps the high half to [0, slots) without a division. The low
@@ -44,7 +46,7 @@ std::optional<EdgeRecords::Record> EdgeRecords::find(VertexId a, VertexId b) con
 
 void EdgeRecords::prefetch(VertexId a, VertexId b) const {
   const auto [low, high] = std::minmax(a.value, b.value);
-  __builtin_prefetch(&slots_[home(low, high)]);
+  lepp::prefetch(&slots_[home(low, high)]);
 }
 
 void EdgeRecords::store(Slot& slot, const Record& record) {
