@@ -10,9 +10,11 @@
 #include "interrupt.hpp"
 #include "lepp/bisection/refine_where.hpp"
 #include "lepp/bisection/region.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/size_file.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/refine/size_field.hpp"
+#include "lepp/triangulation/boundary_meetings.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
@@ -151,6 +153,11 @@ void check(const Mesh& mesh, const RefineCommand& command, const RefineReport& r
   const MeshReport checked = validate(mesh, claims);
   report.valid = checked.valid();
   report.violations = checked.violations;
+  if (const auto meeting = first_boundary_meeting(mesh)) {
+    report.valid = false;
+    report.violations.push_back({"overlap", "boundary edges that meet near " +
+                                                to_text(mesh.point(mesh.origin(meeting->first)))});
+  }
 }
 
 int run(RefineCommand& command) {

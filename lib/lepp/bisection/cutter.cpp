@@ -30,7 +30,10 @@ bool Cutter::place_middle(Cut& cut) const {
     cut.parameter = 0.5 * (piece.piece.t_a + piece.piece.t_b);
   }
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  return try_middle(cut, in_supported_range(midpoint(a, b)));
+  const Point middle = in_supported_range(midpoint(a, b));
+  if (cut.side_count == 2) return try_middle(cut, middle);
+  const auto fits = [&](Point p) { return try_middle(cut, p); };
+  return point_near_chord(mesh_, e, middle, fits).has_value();
 }
 
 // Whether all halves would be counter-clockwise; if so, which of their edges are the next.

@@ -26,7 +26,8 @@ struct BisectOptions {
   unsigned threads = 2;  ///< at most so many; the result has the same bytes for any number
 };
 
-/// A vertex between `a` and `b`: halfway, unless curves are followed.
+/// A vertex between `a` and `b`: halfway, unless curves are followed. On the boundary it may be
+/// some ulps away from there, so that the mesh does not reach over its boundary, exactly.
 struct NewVertex {
   VertexId vertex, a, b;
 };
