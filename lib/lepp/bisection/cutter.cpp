@@ -1,5 +1,7 @@
 #include "lepp/bisection/cutter.hpp"
 
+#include <algorithm>
+
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/split.hpp"
@@ -21,7 +23,8 @@ std::optional<Cut> Cutter::plan(HalfEdge e, std::optional<HalfEdge> across) cons
 bool Cutter::place_middle(Cut& cut) const {
   const HalfEdge e = cut.sides[0].e;
   if (cut.constrained) {
-    const ConstrainedPiece piece = piece_from(mesh_, e, mesh_.origin(e));
+    const VertexId from = std::min(mesh_.origin(e), mesh_.destination(e));  // from either side
+    const ConstrainedPiece piece = piece_from(mesh_, e, from);
     if (options_.follow_curves && piece.curve != nullptr) {
       const CurvePoint on_curve = halfway(*piece.curve, piece.piece);
       cut.parameter = on_curve.t;

@@ -19,9 +19,9 @@ enum class BisectionRule {
 };
 
 struct BisectOptions {
-  /// New vertices on bent boundary curves lie on the curve, where that leaves all triangles
-  /// counter-clockwise, and not halfway along the chord. Descendants then no longer fill their
-  /// parent, and the bounds on angles hold only in the limit.
+  /// New vertices on bent curves, of the boundary and between regions, lie on the curve, where that
+  /// leaves all triangles counter-clockwise, and not halfway along the chord. Descendants then no
+  /// longer fill their parent, and the bounds on angles hold only in the limit.
   bool follow_curves = false;
   unsigned threads = 2;  ///< at most so many; the result has the same bytes for any number
 };
