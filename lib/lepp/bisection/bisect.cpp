@@ -50,8 +50,11 @@ class Bisector {
   void give_ids(Part& part);
   std::size_t sides() const { return parts_[0].sides + parts_[1].sides; }
   std::uint32_t pair(std::size_t i) const;
-  void settle(Part& part);
+  void settle();
+  void refuse(const Part& part);
   void refuse(TriangleId t);
+  void list_stuck(const Part& part);
+  void split_records(const Part& part);
   void finish();
   void list(TriangleId t);
   bool is_wanted(TriangleId t) const;
@@ -136,8 +139,7 @@ void Bisector::work_on(std::span<const TriangleId> batch) {
   in_parts([&](Part& part) {
     for (const Cut& cut : part.cuts) cutter_.forget(cut);
   });
-  for (Part& part : parts_) settle(part);
-  for (const Part& part : parts_) next_.insert(next_.end(), part.woken.begin(), part.woken.end());
+  settle();
   forest_.free_pairs_.resize(free_pairs_ - std::min(free_pairs_, sides()));
 }
 
@@ -209,16 +211,16 @@ std::uint32_t Bisector::pair(std::size_t i) const {
   return static_cast<std::uint32_t>(pairs_ + i - free_pairs_);
 }
 
-// What may concern triangles of the other part, or tables.
-void Bisector::settle(Part& part) {
-  for (const TriangleId t : part.refused) {
-    refuse(t);
-    const auto across = mesh_.twin(forest_.edge_to_cut(t));
-    if (across && is_wanted(across->triangle)) refuse(across->triangle);
-  }
-  for (const TriangleId t : part.stuck) {
-    if (state(t) == State::waiting) list(mesh_.twin(forest_.edge_to_cut(t))->triangle);
-  }
+// What may concern triangles of the other part, or tables: each step for both parts, so that it
+// does not matter where one ends.
+void Bisector::settle() {
+  for (const Part& part : parts_) split_records(part);
+  for (const Part& part : parts_) refuse(part);
+  for (const Part& part : parts_) list_stuck(part);
+  for (const Part& part : parts_) next_.insert(next_.end(), part.woken.begin(), part.woken.end());
+}
+
+void Bisector::split_records(const Part& part) {
   for (const Cut& cut : part.cuts) {
     if (!cut.constrained) continue;
     const Cut::Side& side = cut.sides[0];
@@ -227,9 +229,23 @@ void Bisector::settle(Part& part) {
   }
 }
 
+void Bisector::refuse(const Part& part) {
+  for (const TriangleId t : part.refused) {
+    refuse(t);
+    const auto across = mesh_.twin(forest_.edge_to_cut(t));
+    if (across && is_wanted(across->triangle)) refuse(across->triangle);
+  }
+}
+
 void Bisector::refuse(TriangleId t) {
   state(t) = State::refused;
   result_.refused.push_back(t);
+}
+
+void Bisector::list_stuck(const Part& part) {
+  for (const TriangleId t : part.stuck) {
+    if (state(t) == State::waiting) list(mesh_.twin(forest_.edge_to_cut(t))->triangle);
+  }
 }
 
 // What still waits does so for a triangle that was refused.
