@@ -77,12 +77,18 @@ class Forest {
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
   /// Cost  O(new triangles). Arrays grow twofold without being copied where the system can move
   ///       pages (growing_array.hpp); the table of constrained edges is copied when it doubles.
+  /// \throw RefusedError beyond max_triangles (mesh.hpp), std::bad_alloc. Then a part of it is done
+  ///        and the mesh conforms; what was marked may be marked again.
   Refinement bisect(std::span<const TriangleId> marked, const BisectOptions& options = {});
+  /// The same for callers that go on after an exception: `done` then says what was done until
+  /// there, so that values can be transferred. Its list of refused triangles need not be complete.
+  void bisect(std::span<const TriangleId> marked, const BisectOptions& options, Refinement& done);
 
   /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
   /// vertex has only marked triangles around it, all made when it was. Roots stay. Called with all
   /// triangles until nothing changes, it brings the mesh of the start back, every id included.
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
+  /// \throw std::bad_alloc; nothing has changed then
   /// Cost  O(marked)
   Coarsening coarsen(std::span<const TriangleId> marked);
 

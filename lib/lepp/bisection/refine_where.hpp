@@ -24,6 +24,8 @@ struct WhereReport {
 /// the refinement region problem (Definition 2 of the paper) if it asks for triangles that meet a
 /// region and are not small enough.
 /// \pre   is_to_be_cut(mesh, t) depends on the corners of t alone, and is false for small triangles
+/// \throw as Forest::bisect(), and what is_to_be_cut and progress throw; the mesh
+///        then conforms, and is finer than it was
 /// Cost   one call per triangle of the start and per new one, beside the cuts
 WhereReport refine_where(Forest& forest,
                          const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,

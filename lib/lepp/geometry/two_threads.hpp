@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <future>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -71,6 +72,7 @@ class SecondThread {
     try {
       thread_ = std::thread([this] { serve(); });
     } catch (const std::system_error&) {  // no thread to be had: one after the other
+    } catch (const std::bad_alloc&) {     // likewise
     }
     return thread_.joinable();
   }

@@ -206,10 +206,14 @@ class Mesh {
   void split_record(VertexId a, VertexId b, VertexId v, double t);
   /// The records of (a, v) and (v, b), of one segment, become that of (a, b) again.
   void join_records(VertexId a, VertexId v, VertexId b);
+  /// The next so many of split_record(), and any of join_records() and remove_vertex(), then cannot
+  /// fail. \throw std::bad_alloc; nothing has changed then
+  void make_room_for_records(std::size_t splits) { constrained_edges_.make_room_for(splits); }
 
   // For two threads that change different triangles: each call writes one side of an edge, one
   // triangle or one vertex only.
   /// Adds so many vertices and triangles, which the next functions then set.
+  /// \throw RefusedError beyond max_triangles, std::bad_alloc; nothing has changed then
   void grow(std::size_t vertices, std::size_t triangles);
   void set_vertex(VertexId v, Point p, VertexOrigin origin) {
     points_[v.index()] = p;
