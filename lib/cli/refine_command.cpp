@@ -104,7 +104,7 @@ RefineReport bisect(Mesh& mesh, const RefineCommand& command, const Wanted& want
   Progress progress;
   WhereOptions options;
   options.bisect.threads = command.threads;
-  options.max_vertices = command.max_vertices;
+  options.bisect.max_vertices = command.max_vertices;
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   const std::size_t before = mesh.vertex_count();
   Forest forest(std::move(mesh), command.rule);

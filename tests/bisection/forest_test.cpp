@@ -159,6 +159,24 @@ TEST_CASE("a vertex on a bent interface is the same from whichever side it is as
   }
 }
 
+TEST_CASE("a limit on vertices is met exactly, and the mesh conforms") {
+  std::mt19937_64 random(15);
+  const Mesh start = integer_mesh(random, 20);
+  for (const std::size_t more : {0U, 1U, 7U, 50U}) {
+    Forest forest(start);
+    const std::size_t limit = start.vertex_count() + more;
+    const Refinement done = forest.bisect(all_triangles(start), {.max_vertices = limit});
+    const bool enough = forest.mesh().vertex_count() < limit;
+    CHECK(done.limited != enough);
+    CHECK(done.vertices.size() == forest.mesh().vertex_count() - start.vertex_count());
+    CHECK(forest.mesh().vertex_count() <= limit);
+    CHECK(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+    const Refinement rest = forest.bisect(all_triangles(start));  // no mark is forgotten
+    CHECK_FALSE(rest.limited);
+    for (const TriangleId t : all_triangles(start)) CHECK(forest.generation(t) >= 1);
+  }
+}
+
 TEST_CASE("regions, segments and their parameters go to the parts") {
   std::mt19937_64 random(12);
   const Mesh start = integer_mesh(random, 20);

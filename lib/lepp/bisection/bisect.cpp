@@ -30,6 +30,7 @@ class Bisector {
       : forest_(forest),
         mesh_(forest.mesh_),
         threads_(options.threads),
+        most_vertices_(options.max_vertices),
         cutter_(forest, options),
         result_(done) {}
 
@@ -52,6 +53,7 @@ class Bisector {
   void work_on(std::span<const TriangleId> batch);
   void judge(Part& part);
   void judge(Part& part, TriangleId t);
+  void keep_within_limit();
   void make_room();
   void give_ids(Part& part);
   std::size_t sides() const { return parts_[0].sides + parts_[1].sides; }
@@ -74,6 +76,7 @@ class Bisector {
   Forest& forest_;
   Mesh& mesh_;
   const unsigned threads_;
+  const std::size_t most_vertices_;  // 0: any number
   Cutter cutter_;
   SecondThread second_;
   Refinement& result_;
@@ -102,7 +105,10 @@ void Bisector::work_on_lists(std::span<const TriangleId> marked) {
   while (!next_.empty()) {  // ends: keys grow along a path, and each cut fulfils a wish
     list_.swap(next_);
     next_.clear();
-    for (std::span<const TriangleId> left = list_; !left.empty();) work_on(take(left));
+    for (std::span<const TriangleId> left = list_; !left.empty();) {
+      work_on(take(left));
+      if (result_.limited) return;
+    }
   }
 }
 
@@ -188,9 +194,24 @@ void Bisector::judge(Part& part, TriangleId t) {
   }
 }
 
+// The first cuts of the batch, as many as may be.
+void Bisector::keep_within_limit() {
+  if (most_vertices_ == 0) return;
+  std::size_t left = most_vertices_ - std::min(most_vertices_, mesh_.vertex_count());
+  for (Part& part : parts_) {
+    for (; part.cuts.size() > left; part.cuts.pop_back()) {
+      part.sides -= part.cuts.back().side_count;
+      part.constrained -= part.cuts.back().constrained ? 1 : 0;
+      result_.limited = true;
+    }
+    left -= part.cuts.size();
+  }
+}
+
 // All that may fail comes before the first change: a batch that has room is cut to its end.
 void Bisector::make_room() {
   constexpr std::size_t most_woken = 4;  // by one cut
+  keep_within_limit();
   vertices_ = mesh_.vertex_count();
   triangles_ = mesh_.triangle_count();
   cuts_ = result_.vertices.size();
@@ -274,8 +295,9 @@ void Bisector::list_stuck(const Part& part) {
   }
 }
 
-// What still waits does so for a triangle that was refused.
+// What still waits does so for a triangle that was refused, unless the limit was met.
 void Bisector::finish() {
+  if (result_.limited) make_idle();
   for (const Part& part : parts_) {
     for (const TriangleId t : part.waited) {
       if (state(t) == State::waiting) refuse(t);

@@ -24,6 +24,9 @@ struct BisectOptions {
   /// longer fill their parent, and the bounds on angles hold only in the limit.
   bool follow_curves = false;
   unsigned threads = 2;  ///< at most so many; the result has the same bytes for any number
+  /// No vertex is added beyond so many: what comes first in the order of work is cut, and the mesh
+  /// conforms. 0: no limit.
+  std::size_t max_vertices = 0;
 };
 
 /// A vertex between `a` and `b`: halfway, unless curves are followed. On the boundary it may be
@@ -43,6 +46,9 @@ struct Refinement {
   std::vector<Halves> triangles;    ///< ids `other` follow each other, from the old count on
   /// Marked, or on the way of those, and not cut: no double lies well between the ends of the edge.
   std::vector<TriangleId> refused;
+  /// max_vertices came first: a marked triangle is as it was. `refused` then has those whose own
+  /// edge is to blame, and not what waits for them.
+  bool limited = false;
 };
 
 /// What coarsen() did, in the order in which it was done. With each removal the last vertex, or

@@ -8,8 +8,7 @@
 namespace lepp {
 
 struct WhereOptions {
-  BisectOptions bisect;
-  std::size_t max_vertices = 0;  ///< stop at so many vertices; 0: no limit
+  BisectOptions bisect;  ///< its max_vertices holds for all rounds together
   /// Called between two rounds with the number of vertices; false stops.
   std::function<bool(std::size_t vertices)> progress;
 };
@@ -17,7 +16,7 @@ struct WhereOptions {
 struct WhereReport {
   bool finished = false;  ///< no triangle is left that is to be cut
   std::size_t rounds = 0;
-  Refinement done;  ///< of all rounds, one after the other
+  Refinement done;  ///< of all rounds, one after the other; each refused triangle once
 };
 
 /// Cuts every triangle for which `is_to_be_cut` is true, and its parts again, until none is left:
