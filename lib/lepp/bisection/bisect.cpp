@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <thread>
 
 #include "lepp/bisection/cutter.hpp"
 #include "lepp/bisection/forest.hpp"
@@ -12,6 +13,12 @@ namespace lepp {
 namespace {
 
 constexpr std::size_t at_once = 4096, too_few_for_threads = 1024;
+
+// More threads would wait for each other.
+unsigned processors() {
+  const unsigned number = std::thread::hardware_concurrency();
+  return number > 0 ? number : 2;  // it is not known everywhere
+}
 
 }  // namespace
 
@@ -29,7 +36,7 @@ class Bisector {
   Bisector(Forest& forest, const BisectOptions& options, Refinement& done)
       : forest_(forest),
         mesh_(forest.mesh_),
-        threads_(options.threads),
+        threads_(std::min(options.threads, processors())),
         most_vertices_(options.max_vertices),
         cutter_(forest, options),
         result_(done) {}
