@@ -14,6 +14,7 @@
 #include "lepp/bisection/transfer.hpp"
 #include "lepp/bisection/transfer_matrix.hpp"
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/refine/size_field.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
@@ -457,4 +458,72 @@ TEST_CASE("the common part of two triangles: half of a square, a hexagon, a corn
   CHECK(hexagon.area() == doctest::Approx(0.26));
   for (std::uint32_t edge = 0; edge < 3; ++edge) CHECK(hexagon.goes_on_across(edge));
   CHECK_FALSE(CommonPart(t, {{{-1, -1}, {9, -1}, {-1, 9}}}).goes_on_across(0));
+}
+
+namespace {
+
+bool is_in(Point a, Point b, Point c, Point p) {
+  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
+}
+
+// A triangle abc, counter-clockwise, and a point of it; all areas are computed as 0 or less.
+struct Sliver {
+  Point a, b, c, inside;
+};
+
+bool is_lost_to_rounding(const Sliver& s) {
+  const auto& [a, b, c, p] = s;
+  return orient2d(a, b, c) > 0 && is_in(a, b, c, p) && p != a && p != b && p != c &&
+         signed_area(a, b, c) <= 0 && signed_area(a, b, p) <= 0 && signed_area(b, c, p) <= 0 &&
+         signed_area(c, a, p) <= 0;
+}
+
+Sliver random_sliver(Random& random) {
+  const auto near = [&](Point p) {
+    return Point{test::move_by_ulps(p.x, random.between(-3, 3)),
+                 test::move_by_ulps(p.y, random.between(-3, 3))};
+  };
+  while (true) {  // one in some hundreds is
+    Sliver s;
+    s.a = {random.real(0.01, 0.1), random.real(0.01, 0.1)};
+    s.b = {random.real(0.6, 0.9), random.real(0.1, 0.3)};
+    s.c = near(s.a + random.real(0.4, 0.6) * (s.b - s.a));
+    s.inside = near(s.a + random.real(0.2, 0.8) * (s.c - s.a));
+    if (is_lost_to_rounding(s)) return s;
+  }
+}
+
+// The triangle abc with the rest of a quadrilateral above it, and other points in that.
+Mesh with_points(Point a, Point b, const std::vector<Point>& points) {
+  Pslg pslg = test::polygon({a.x, a.y, b.x, b.y, 1, 1, 0, 1});
+  pslg.points.insert(pslg.points.end(), points.begin(), points.end());
+  return constrained_delaunay(pslg).mesh;
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+}
+
+}  // namespace
+
+TEST_CASE("triangles whose area is lost to rounding: all values stay finite and within bounds") {
+  Random random(31);
+  for (int i = 0; i < 5; ++i) {
+    CAPTURE(i);
+    const Sliver s = random_sliver(random);
+    const Mesh thin = with_points(s.a, s.b, {s.c, {0.4, 0.6}});
+    const Mesh other = with_points(s.a, s.b, {s.inside, {0.5, 0.7}});
+    for (const auto& [before, after] : {std::pair(&thin, &other), std::pair(&other, &thin)}) {
+      const VertexTransfer transfer = vertex_transfer(*before, *after);
+      std::vector<double> values = noise(before->vertex_count(), random), projected = values;
+      transfer_vertices(transfer, values);
+      CHECK(all_finite(values));
+      CHECK(std::ranges::all_of(values, [](double v) { return std::abs(v) <= 1; }));
+      project_vertices(*before, *after, transfer, projected);
+      CHECK(all_finite(projected));
+      std::vector<double> densities = noise(before->triangle_count(), random);
+      transfer_triangles(triangle_transfer(*before, *after), densities);
+      CHECK(all_finite(densities));
+    }
+  }
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lepp/bisection/common_parts.hpp"
@@ -77,7 +78,7 @@ class MassMatrix {
     twelfths_.reserve(mesh.triangle_count());
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.corners(TriangleId(t));
-      twelfths_.push_back(signed_area(a, b, c) / 12);
+      twelfths_.push_back(std::max(0.0, signed_area(a, b, c)) / 12);  // of slivers
       for (const VertexId v : mesh.vertices(TriangleId(t))) {
         diagonal_[v.index()] += 2 * twelfths_.back();
       }
@@ -116,7 +117,9 @@ void add_solution(const MassMatrix& M, std::vector<double> r, std::vector<double
   constexpr double reduction = 1e-15;
   const auto divided = [&](const std::vector<double>& y) {
     std::vector<double> z(y.size());
-    for (std::size_t i = 0; i < y.size(); ++i) z[i] = y[i] / M.diagonal()[i];
+    for (std::size_t i = 0; i < y.size(); ++i) {  // nothing is added where there is no area
+      z[i] = M.diagonal()[i] > 0 ? y[i] / M.diagonal()[i] : 0;
+    }
     return z;
   };
   std::vector<double> p = divided(r), q;
