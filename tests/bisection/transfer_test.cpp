@@ -4,9 +4,11 @@
 
 #include <Eigen/SparseCore>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "lepp/bisection/transfer_matrix.hpp"
+#include "lepp/geometry/error.hpp"
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
@@ -238,4 +240,14 @@ TEST_CASE("a call that changes nothing is the identity") {
   CHECK(values == std::vector<double>{1, 2, 3, 4});
   CHECK(times(injection(done, 4), values) == values);
   CHECK(times(prolongation({}, 4), values) == values);
+}
+
+TEST_CASE("a matrix with more rows, columns or entries than 32 bits count is refused") {
+  const std::size_t most = std::numeric_limits<int>::max();
+  CHECK_NOTHROW(transfer_detail::check_count(most));
+  CHECK_THROWS_AS(transfer_detail::check_count(most + 1), RefusedError);
+  CHECK_THROWS_AS(prolongation({}, most + 1), RefusedError);
+  VertexTransfer transfer;
+  transfer.vertices_before = most + 1;
+  CHECK_THROWS_AS(interpolation(transfer), RefusedError);
 }
