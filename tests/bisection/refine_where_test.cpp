@@ -73,7 +73,7 @@ TEST_CASE("a report has the refused triangles however it ends, each once") {
   SUBCASE("stop") {
     options.progress = [](std::size_t vertices) { return vertices < 60; };
   }
-  const WhereReport report = refine_where(
+  const RefineWhereReport report = refine_where(
       forest, [](const Mesh&, TriangleId) { return true; }, options);
   CHECK_FALSE(report.finished);
   REQUIRE_FALSE(report.done.refused.empty());

@@ -60,21 +60,21 @@ bool Cutter::try_middle(Cut& cut, Point middle) const {
 
 void Cutter::announce(const Cut& cut) {
   for (const Cut::Side& side : cut.both()) {
-    half(side.e.triangle) = 4 * side.second.value + side.e.edge;
+    announced(side.e.triangle) = 4 * side.second.value + side.e.edge;
   }
 }
 
 void Cutter::forget(const Cut& cut) {
-  for (const Cut::Side& side : cut.both()) half(side.e.triangle) = Forest::none;
+  for (const Cut::Side& side : cut.both()) announced(side.e.triangle) = Forest::none;
 }
 
 // What lies across `e` once all of the round is cut.
 std::optional<HalfEdge> Cutter::now_across(HalfEdge e) const {
   const auto across = mesh_.twin(e);
-  if (!across || half(across->triangle) == Forest::none) return across;
-  const std::uint32_t announced = half(across->triangle);
-  if (across->edge != next_corner(announced % 4)) return across;
-  return HalfEdge{TriangleId(announced / 4), across->edge};
+  if (!across || announced(across->triangle) == Forest::none) return across;
+  const std::uint32_t cut = announced(across->triangle);
+  if (across->edge != next_corner(cut % 4)) return across;
+  return HalfEdge{TriangleId(cut / 4), across->edge};
 }
 
 void Cutter::write(const Cut& cut, std::vector<TriangleId>& woken) {
@@ -98,7 +98,7 @@ void Cutter::write(const Cut& cut, std::vector<TriangleId>& woken) {
 // What is cut itself does not wait. Of others, the edge first: no other thread looks at the state
 // of who waits at this edge.
 void Cutter::wake(std::optional<HalfEdge> across, std::vector<TriangleId>& woken) {
-  if (!across || half(across->triangle) != Forest::none) return;
+  if (!across || announced(across->triangle) != Forest::none) return;
   Forest::Leaf& leaf = forest_.leaves_[across->triangle.index()];
   if (leaf.cut != across->edge || leaf.state != Forest::State::waiting) return;
   leaf.state = Forest::State::listed;
@@ -123,7 +123,7 @@ void Cutter::write_side(const Cut& cut, const Cut::Side& side, std::optional<Hal
   mesh_.set_across({u, from_c.edge}, to_c);
   mesh_.set_constrained_flag({u, e.edge}, cut.constrained);
   mesh_.set_constrained_flag({u, to_c.edge}, mesh_.is_constrained(to_c));
-  if (before && half(before->triangle) == Forest::none) {  // else it sees to that itself
+  if (before && announced(before->triangle) == Forest::none) {  // else it sees to that itself
     mesh_.set_across(*before, HalfEdge{u, to_c.edge});
   }
 

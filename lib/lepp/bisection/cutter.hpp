@@ -70,8 +70,8 @@ class Cutter {
   std::optional<HalfEdge> across_cut(TriangleId t) const {
     return mesh_.twin(forest_.edge_to_cut(t));
   }
-  std::uint32_t& half(TriangleId t) { return forest_.leaves_[t.index()].half; }
-  std::uint32_t half(TriangleId t) const { return forest_.leaves_[t.index()].half; }
+  std::uint32_t& announced(TriangleId t) { return forest_.leaves_[t.index()].announced; }
+  std::uint32_t announced(TriangleId t) const { return forest_.leaves_[t.index()].announced; }
 
   Forest& forest_;
   Mesh& mesh_;

@@ -128,9 +128,9 @@ class Forest {
   enum class State : std::uint8_t { idle, listed, taken, waiting, refused };
   struct Leaf {
     std::uint32_t node = none;
-    std::uint32_t half = none;  // within a round, if it is being cut: 4 * second half + edge
-    std::uint8_t cut = 0;       // the edge that will be cut
-    State state = State::idle;  // between two calls: idle
+    std::uint32_t announced = none;  // within a round, if it is cut: 4 * second half + edge
+    std::uint8_t cut = 0;            // the edge that will be cut
+    State state = State::idle;       // between two calls: idle
   };
 
   static bool is_first(std::uint32_t node) { return node % 2 == 0; }

@@ -45,10 +45,10 @@ double diameter(const Mesh& mesh, TriangleId t) {
 }
 
 // After the first round only what that round has changed can be new to the list.
-WhereReport refine_where(Forest& forest,
-                         const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,
-                         const WhereOptions& options) {
-  WhereReport report;
+RefineWhereReport refine_where(Forest& forest,
+                               const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,
+                               const WhereOptions& options) {
+  RefineWhereReport report;
   std::vector<TriangleId> marked;
   for (std::size_t i = 0; i < forest.mesh().triangle_count(); ++i) {
     if (is_to_be_cut(forest.mesh(), TriangleId(i))) marked.emplace_back(i);

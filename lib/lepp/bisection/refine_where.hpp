@@ -13,7 +13,7 @@ struct WhereOptions {
   std::function<bool(std::size_t vertices)> progress;
 };
 
-struct WhereReport {
+struct RefineWhereReport {
   bool finished = false;  ///< no triangle is left that is to be cut
   std::size_t rounds = 0;
   Refinement done;  ///< of all rounds, one after the other; each refused triangle once
@@ -26,9 +26,9 @@ struct WhereReport {
 /// \throw as Forest::bisect(), and what is_to_be_cut and progress throw; the mesh
 ///        then conforms, and is finer than it was
 /// Cost   one call per triangle of the start and per new one, beside the cuts
-WhereReport refine_where(Forest& forest,
-                         const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,
-                         const WhereOptions& options = {});
+RefineWhereReport refine_where(Forest& forest,
+                               const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,
+                               const WhereOptions& options = {});
 
 /// The longest edge of a triangle.
 double diameter(const Mesh& mesh, TriangleId t);
