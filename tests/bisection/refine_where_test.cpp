@@ -34,7 +34,7 @@ TEST_CASE("Theorem 2: O(n^2) vertices inside the disc, O(n log n) outside") {
   Forest forest(quality_square());
   const Disc disc{{0.3, 0.4}, 0.1};
   std::vector<double> inside, outside;
-  double n = 0, eps = 0.04;
+  double n = 0, eps = 0.08;
   for (int halving = 0; halving <= 6; ++halving, eps /= 2) {
     const DiscCounts counts = refined(forest, disc, eps);
     n = 2 * disc.radius / eps;
