@@ -44,6 +44,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/remesh_transfer.hpp
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
+  lepp/bisection/vertices_made.hpp
   lepp/terrain/grid_part.hpp
   lepp/terrain/height_grid.hpp
   lepp/terrain/terrain_domain.hpp

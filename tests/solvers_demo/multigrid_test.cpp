@@ -8,9 +8,9 @@
 #include "adaptive_problems.hpp"
 #include "cross_points.hpp"
 #include "estimator.hpp"
+#include "lepp/bisection/vertices_made.hpp"
 #include "poisson_fe.hpp"
 #include "support/random.hpp"
-#include "vertices_made.hpp"
 
 using namespace lepp;
 using namespace lepp::demo;
