@@ -78,7 +78,7 @@ TEST_CASE("both estimators lead to the best rate where the difficulty is local")
       CAPTURE(name);
       AdaptiveOptions options;
       options.estimator = estimator;
-      options.max_unknowns = 10000;
+      options.max_unknowns = 5000;
       const auto steps = run_adaptive(adaptive_problem(name), options);
       CHECK(rate(steps, &AdaptiveStep::error) > 0.48);
       const double quotient = steps.back().estimate / steps.back().error;
@@ -106,7 +106,7 @@ TEST_CASE("by delaunay: every mesh is admissible, and the error falls as fast") 
     const AdaptiveProblem problem = adaptive_problem(name);
     AdaptiveOptions options;
     options.by = RefineBy::delaunay;
-    options.max_unknowns = 3000;
+    options.max_unknowns = 1000;
     const auto steps = run_adaptive(
         problem, options,
         [&](const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u, const auto&) {
