@@ -6,6 +6,7 @@
 
 #include "lepp/bisection/forest.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
+#include "support/fields.hpp"
 #include "support/shapes.hpp"
 
 namespace lepp::test {
@@ -37,12 +38,6 @@ inline std::vector<TriangleId> some_triangles(std::mt19937_64& random, const Mes
   std::vector<TriangleId> marked;
   for (std::size_t i = 0; i < count; ++i) marked.emplace_back(random() % mesh.triangle_count());
   return marked;
-}
-
-inline std::vector<TriangleId> all_triangles(const Mesh& mesh) {
-  std::vector<TriangleId> all;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) all.emplace_back(t);
-  return all;
 }
 
 }  // namespace lepp::test
