@@ -243,14 +243,8 @@ void add_refine_command(CLI::App& app, int& status) {
   add_options(refine, *command);
   refine.add_option("--threads", command->threads,
                     "at most so many; the mesh does not depend on it");
-  refine.add_flag("--allow-unfinished", command->allow_unfinished,
-                  "write a valid mesh even if the goal was not reached (status 3)");
-  refine.add_option("--format", command->output.format, "of .msh output")
-      ->check(CLI::IsMember({"msh41", "msh22"}))
-      ->capture_default_str();
-  refine.add_option("--json", command->json, "write the report as JSON to a file, or - for stdout");
-  refine.add_flag("--force", command->output.force, "overwrite the output");
-  refine.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
+  add_output_options(refine, command->output, command->json, command->allow_unfinished,
+                     command->quiet);
   refine.footer(
       "Examples:\n"
       "  lepp refine plate.msh -o finer.msh --max-edge 0.02\n"
