@@ -3,26 +3,10 @@
 
 #include "lepp/bisection/common_parts.hpp"
 #include "lepp/bisection/remesh_transfer.hpp"
+#include "lepp/geometry/linear_function.hpp"
 
 namespace lepp {
 namespace {
-
-/// The function that is linear on a triangle, with these values at its corners.
-class LinearFunction {
- public:
-  LinearFunction(const std::array<Point, 3>& x, const std::array<double, 3>& values)
-      : at_(x[0]), value_(values[0]) {
-    const Point a = x[1] - x[0], b = x[2] - x[0];
-    const double to_a = values[1] - values[0], to_b = values[2] - values[0];
-    const double scale = 1 / cross(a, b);
-    gradient_ = {scale * (to_a * b.y - to_b * a.y), scale * (to_b * a.x - to_a * b.x)};
-  }
-  double operator()(Point p) const { return value_ + dot(gradient_, p - at_); }
-
- private:
-  Point at_, gradient_;
-  double value_;
-};
 
 std::array<double, 3> at_corners(const Mesh& mesh, TriangleId t,
                                  const std::vector<double>& values) {
@@ -53,6 +37,7 @@ std::vector<double> loads_of(const Mesh& before, const Mesh& after, const std::v
     const TriangleId t(i);
     const auto x = after.corners(t);
     const std::array<Point, 3> here{Point{0, 0}, x[1] - x[0], x[2] - x[0]};
+    // of a sliver not finite, and then not asked: it has no part in common with others
     const LinearFunction now(here, at_corners(after, t, w));
     const LinearFunction second(here, {0, 1, 0}), third(here, {0, 0, 1});
     std::array<double, 3> sums{};

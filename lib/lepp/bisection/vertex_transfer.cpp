@@ -2,7 +2,9 @@
 #include <limits>
 
 #include "lepp/bisection/remesh_transfer.hpp"
+#include "lepp/geometry/place_on_segment.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/triangulation/boundary_walk.hpp"
 #include "lepp/triangulation/locate.hpp"
 
 namespace lepp {
@@ -18,9 +20,9 @@ struct NearPlace {
 };
 
 NearPlace near_place(const Mesh& mesh, HalfEdge e, Point p) {
-  const Point a = mesh.point(mesh.origin(e)), d = mesh.point(mesh.destination(e)) - a;
-  const double s = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-  return {e, s, squared_distance(a + s * d, p)};
+  const auto [along, squared] =
+      nearest_place(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)), p);
+  return {e, along, squared};
 }
 
 Source source_on(const Mesh& mesh, const NearPlace& place) {
@@ -56,18 +58,6 @@ Source source_at(const Mesh& mesh, const Location& place, Point p) {
   if (!(sum > 0)) return source_in_sliver(mesh, place.triangle, p);
   for (double& weight : source.weights) weight /= sum;
   return source;
-}
-
-HalfEdge next_side(const Mesh& mesh, HalfEdge e) {
-  HalfEdge next = next_edge(e);
-  while (const auto across = mesh.twin(next)) next = next_edge(*across);
-  return next;
-}
-
-HalfEdge previous_side(const Mesh& mesh, HalfEdge e) {
-  HalfEdge previous = previous_edge(e);
-  while (const auto across = mesh.twin(previous)) previous = previous_edge(*across);
-  return previous;
 }
 
 /// From one edge of the boundary along it, as long as one of the next eight is nearer.
