@@ -92,12 +92,7 @@ class BoxesByDelaunay : public AdaptiveScheme {
     const RemeshMultigrid multigrid(system.K, start.free,
                                     history_.interpolations(mesh_, start.free),
                                     cross_point_modes(mesh_, problem_.diffusion, start.free));
-    IterativeSolution solution =
-        solve_iteratively(system, start.free, multigrid, std::move(start.u));
-    if (!solution.converged) {
-      throw InputError("the linear system", "is too ill-conditioned for multigrid",
-                       "use --solver direct");
-    }
+    IterativeSolution solution = solve_or_refuse(system, start.free, multigrid, std::move(start.u));
     history_.add(mesh_, start.free);
     iterations = solution.iterations;
     return std::move(solution.u);
