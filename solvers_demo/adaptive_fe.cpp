@@ -3,7 +3,6 @@
 #include "estimator.hpp"
 #include "first_guess.hpp"
 #include "lepp/bisection/transfer.hpp"
-#include "lepp/geometry/error.hpp"
 #include "multigrid.hpp"
 #include "poisson_fe.hpp"
 #include "stopwatch.hpp"
@@ -55,12 +54,7 @@ class ElementsByBisection : public AdaptiveScheme {
                                std::size_t& iterations) const {
     const Multigrid multigrid(system.K, start.free, made_,
                               cross_point_modes(mesh(), problem_.diffusion, start.free));
-    IterativeSolution solution =
-        solve_iteratively(system, start.free, multigrid, std::move(start.u));
-    if (!solution.converged) {
-      throw InputError("the linear system", "is too ill-conditioned for multigrid",
-                       "use --solver direct");
-    }
+    IterativeSolution solution = solve_or_refuse(system, start.free, multigrid, std::move(start.u));
     iterations = solution.iterations;
     return std::move(solution.u);
   }

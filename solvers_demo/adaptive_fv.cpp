@@ -4,6 +4,7 @@
 #include "adaptive_scheme.hpp"
 #include "cross_points.hpp"
 #include "first_guess.hpp"
+#include "lepp/bisection/refine_where.hpp"
 #include "lepp/bisection/remesh_transfer.hpp"
 #include "lepp/geometry/error.hpp"
 #include "lepp/refine/refine.hpp"
@@ -17,9 +18,12 @@
 namespace lepp::demo {
 namespace {
 
-double longest_edge_length(const std::array<Point, 3>& x) {
-  return std::sqrt(std::max(
-      {squared_distance(x[0], x[1]), squared_distance(x[1], x[2]), squared_distance(x[2], x[0])}));
+double longest_edge_length(const Mesh& mesh) {
+  double longest = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    longest = std::max(longest, diameter(mesh, TriangleId(t)));
+  }
+  return longest;
 }
 
 class BoxesByDelaunay : public AdaptiveScheme {
@@ -28,7 +32,8 @@ class BoxesByDelaunay : public AdaptiveScheme {
       : problem_(problem.problem), name_(problem.title), solver_(solver), mesh_(problem.start) {
     RefineOptions options;
     if (problem.first_rounds > 0) {  // two rounds halve all edges
-      options.max_edge = 2 * std::pow(0.5, static_cast<double>(problem.first_rounds) / 2);
+      options.max_edge =
+          longest_edge_length(mesh_) * std::pow(0.5, static_cast<double>(problem.first_rounds) / 2);
     }
     refine_to(options);
     guess_.assign(mesh_.vertex_count(), 0.0);
@@ -61,7 +66,7 @@ class BoxesByDelaunay : public AdaptiveScheme {
     std::vector<SizeSource> sources;
     for (const TriangleId t : marked) {
       const auto x = mesh_.corners(t);
-      const double size = longest_edge_length(x) / std::sqrt(2.0);
+      const double size = diameter(mesh_, t) / std::sqrt(2.0);
       if (size >= shortest) sources.push_back({(1.0 / 3) * (x[0] + x[1] + x[2]), size});
     }
     if (sources.empty()) return false;
@@ -87,12 +92,7 @@ class BoxesByDelaunay : public AdaptiveScheme {
     const RemeshMultigrid multigrid(system.K, start.free,
                                     history_.interpolations(mesh_, start.free),
                                     cross_point_modes(mesh_, problem_.diffusion, start.free));
-    IterativeSolution solution =
-        solve_iteratively(system, start.free, multigrid, std::move(start.u));
-    if (!solution.converged) {
-      throw InputError("the linear system", "is too ill-conditioned for multigrid",
-                       "use --solver direct");
-    }
+    IterativeSolution solution = solve_or_refuse(system, start.free, multigrid, std::move(start.u));
     history_.add(mesh_, start.free);
     iterations = solution.iterations;
     return std::move(solution.u);

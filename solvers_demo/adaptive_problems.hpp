@@ -53,9 +53,8 @@ enum class ErrorQuadrature {
   /// that crowd there as the solution does: the true error.
   graded,
   /// By the centroids of 16 equal parts of each triangle: a part of the error is missed, 1.6 %
-  /// where
-  /// the solution is smooth and more at a singular point. Published figures are of this kind;
-  /// docs/algorithms/adaptive.md
+  /// where the solution is smooth and more at a singular point. Published figures are of this
+  /// kind; docs/algorithms/adaptive.md
   centroids,
 };
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "lepp/geometry/error.hpp"
+
 namespace lepp::demo {
 
 IterativeSolution solve_iteratively(const LinearSystem& system, std::span<const char> free,
@@ -40,6 +42,14 @@ IterativeSolution solve_iteratively(const LinearSystem& system, std::span<const 
   }
   solution.converged = squared <= goal;
   return solution;
+}
+
+IterativeSolution solve_or_refuse(const LinearSystem& system, std::span<const char> free,
+                                  const Preconditioner& preconditioner, Eigen::VectorXd start) {
+  IterativeSolution solution = solve_iteratively(system, free, preconditioner, std::move(start));
+  if (solution.converged) return solution;
+  throw InputError("the linear system", "is too ill-conditioned for multigrid",
+                   "use --solver direct");
 }
 
 }  // namespace lepp::demo

@@ -28,4 +28,9 @@ IterativeSolution solve_iteratively(const LinearSystem& system, std::span<const 
                                     const Preconditioner& preconditioner, Eigen::VectorXd start,
                                     double reduction = 1e-8);
 
+/// The same for those who cannot go on without a solution.
+/// \throw InputError if it does not converge
+IterativeSolution solve_or_refuse(const LinearSystem& system, std::span<const char> free,
+                                  const Preconditioner& preconditioner, Eigen::VectorXd start);
+
 }  // namespace lepp::demo

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "lepp/geometry/place_on_segment.hpp"
+
 namespace lepp::demo {
 namespace {
 
@@ -128,9 +130,8 @@ double radius_of(const Mesh& mesh, const CrossPoint& cross, std::span<const Cros
     for (std::uint32_t i = 0; i < 3; ++i) {
       const HalfEdge e{TriangleId(t), i};
       if (!mesh.is_boundary(e)) continue;
-      const Point a = mesh.point(mesh.origin(e)), d = mesh.point(mesh.destination(e)) - a;
-      const double s = std::clamp(dot(at - a, d) / dot(d, d), 0.0, 1.0);
-      squared = std::min(squared, squared_distance(a + s * d, at));
+      const Point a = mesh.point(mesh.origin(e)), b = mesh.point(mesh.destination(e));
+      squared = std::min(squared, nearest_place(a, b, at).squared_distance);
     }
   }
   return std::sqrt(squared);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "lepp/geometry/linear_function.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
 
 namespace lepp::demo {
@@ -87,13 +88,8 @@ std::vector<Point> gradients(const Mesh& mesh, const Eigen::VectorXd& u) {
   found.reserve(mesh.triangle_count());
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const TriangleId t(i);
-    const auto x = mesh.corners(t);
     const auto value = [&](std::uint32_t corner) { return u[mesh.vertex(t, corner).value]; };
-    const Point a = x[1] - x[0], b = x[2] - x[0];
-    const double along_a = value(1) - value(0), along_b = value(2) - value(0);
-    const double scale = 1 / cross(a, b);
-    found.push_back(
-        {scale * (along_a * b.y - along_b * a.y), scale * (along_b * a.x - along_a * b.x)});
+    found.push_back(LinearFunction(mesh.corners(t), {value(0), value(1), value(2)}).gradient());
   }
   return found;
 }

@@ -139,14 +139,8 @@ void add_mesh_command(CLI::App& app, int& status) {
                   "the machine has; at most two are used)");
   mesh.add_flag("--remesh", command->mesh.remesh,
                 "of a mesh keep only outline, interfaces and lines, and start anew");
-  mesh.add_flag("--allow-unfinished", command->allow_unfinished,
-                "write a valid mesh even if the goal was not reached (status 3)");
-  mesh.add_option("--format", command->output.format, "of .msh output")
-      ->check(CLI::IsMember({"msh41", "msh22"}))
-      ->capture_default_str();
-  mesh.add_option("--json", command->json, "write the report as JSON to a file, or - for stdout");
-  mesh.add_flag("--force", command->output.force, "overwrite the output");
-  mesh.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
+  add_output_options(mesh, command->output, command->json, command->allow_unfinished,
+                     command->quiet);
   mesh.footer(
       "Examples:\n"
       "  lepp mesh plate.geo -o plate.msh\n"

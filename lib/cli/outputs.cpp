@@ -12,6 +12,18 @@ namespace lepp::cli {
 
 namespace fs = std::filesystem;
 
+void add_output_options(CLI::App& command, OutputOptions& output, std::string& json,
+                        bool& allow_unfinished, bool& quiet) {
+  command.add_flag("--allow-unfinished", allow_unfinished,
+                   "write a valid mesh even if the goal was not reached (status 3)");
+  command.add_option("--format", output.format, "of .msh output")
+      ->check(CLI::IsMember({"msh41", "msh22"}))
+      ->capture_default_str();
+  command.add_option("--json", json, "write the report as JSON to a file, or - for stdout");
+  command.add_flag("--force", output.force, "overwrite the output");
+  command.add_flag("-q,--quiet", quiet, "no report on the terminal");
+}
+
 std::vector<fs::path> files_of(const fs::path& target) {
   if (target.extension() != ".ele") return {target};
   fs::path node = target, poly = target;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ struct OutputOptions {
   std::string format = "msh41";  ///< of .msh files
   bool force = false;
 };
+
+/// What commands that write a checked mesh have in common: --allow-unfinished, --format, --json,
+/// --force and --quiet.
+void add_output_options(CLI::App& command, OutputOptions& output, std::string& json,
+                        bool& allow_unfinished, bool& quiet);
 
 /// The files that writing a mesh to `target` makes: X.ele stands for X.node, X.ele and X.poly.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& target);

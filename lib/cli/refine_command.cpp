@@ -10,9 +10,11 @@
 #include "interrupt.hpp"
 #include "lepp/bisection/refine_where.hpp"
 #include "lepp/bisection/region.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/size_file.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/refine/size_field.hpp"
+#include "lepp/triangulation/boundary_meetings.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
@@ -102,7 +104,7 @@ RefineReport bisect(Mesh& mesh, const RefineCommand& command, const Wanted& want
   Progress progress;
   WhereOptions options;
   options.bisect.threads = command.threads;
-  options.max_vertices = command.max_vertices;
+  options.bisect.max_vertices = command.max_vertices;
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   const std::size_t before = mesh.vertex_count();
   Forest forest(std::move(mesh), command.rule);
@@ -151,6 +153,11 @@ void check(const Mesh& mesh, const RefineCommand& command, const RefineReport& r
   const MeshReport checked = validate(mesh, claims);
   report.valid = checked.valid();
   report.violations = checked.violations;
+  if (const auto meeting = first_boundary_meeting(mesh)) {
+    report.valid = false;
+    report.violations.push_back({"overlap", "boundary edges that meet near " +
+                                                to_text(mesh.point(mesh.origin(meeting->first)))});
+  }
 }
 
 int run(RefineCommand& command) {
@@ -236,14 +243,8 @@ void add_refine_command(CLI::App& app, int& status) {
   add_options(refine, *command);
   refine.add_option("--threads", command->threads,
                     "at most so many; the mesh does not depend on it");
-  refine.add_flag("--allow-unfinished", command->allow_unfinished,
-                  "write a valid mesh even if the goal was not reached (status 3)");
-  refine.add_option("--format", command->output.format, "of .msh output")
-      ->check(CLI::IsMember({"msh41", "msh22"}))
-      ->capture_default_str();
-  refine.add_option("--json", command->json, "write the report as JSON to a file, or - for stdout");
-  refine.add_flag("--force", command->output.force, "overwrite the output");
-  refine.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
+  add_output_options(refine, command->output, command->json, command->allow_unfinished,
+                     command->quiet);
   refine.footer(
       "Examples:\n"
       "  lepp refine plate.msh -o finer.msh --max-edge 0.02\n"

@@ -12,6 +12,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/geometry/error.hpp
   lepp/geometry/growing_array.hpp
   lepp/geometry/ids.hpp
+  lepp/geometry/memory_access.hpp
   lepp/geometry/point.hpp
   lepp/geometry/predicates.hpp
   lepp/geometry/pslg.hpp
@@ -43,6 +44,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/remesh_transfer.hpp
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
+  lepp/bisection/vertices_made.hpp
   lepp/terrain/grid_part.hpp
   lepp/terrain/height_grid.hpp
   lepp/terrain/nonobtuse_tin.hpp

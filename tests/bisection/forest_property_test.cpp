@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <random>
 
 #include "bisection/plain_bisection.hpp"
@@ -77,17 +78,40 @@ void check_same(const Mesh& mesh, const Mesh& start) {
   }
 }
 
-// Two meshes with every id and link the same.
-bool are_equal(const Mesh& a, const Mesh& b) {
-  if (a.triangle_count() != b.triangle_count() || !std::ranges::equal(a.points(), b.points())) {
-    return false;
-  }
-  for (std::size_t i = 0; i < a.triangle_count(); ++i) {
-    const TriangleId t(i);
-    if (a.vertices(t) != b.vertices(t)) return false;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      if (a.twin({t, k}) != b.twin({t, k})) return false;
+// All that two meshes know of a triangle.
+bool are_equal(const Mesh& a, const Mesh& b, TriangleId t) {
+  if (a.vertices(t) != b.vertices(t) || a.region(t) != b.region(t)) return false;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const HalfEdge e{t, k};
+    if (a.twin(e) != b.twin(e) || a.is_constrained(e) != b.is_constrained(e)) return false;
+    if (!a.is_constrained(e)) continue;
+    const ConstrainedEdge in_a = a.constrained_edge(e), in_b = b.constrained_edge(e);
+    if (in_a.segments != in_b.segments || in_a.t_low != in_b.t_low || in_a.t_high != in_b.t_high) {
+      return false;
     }
+  }
+  return true;
+}
+
+bool are_equal(const Mesh& a, const Mesh& b, VertexId v) {
+  const VertexOrigin &in_a = a.origin_of(v), &in_b = b.origin_of(v);
+  return a.point(v) == b.point(v) && a.leaving(v) == b.leaving(v) && in_a.kind == in_b.kind &&
+         in_a.index == in_b.index;
+}
+
+// Two forests with all that can be asked the same, every id included.
+bool are_equal(const Forest& a, const Forest& b) {
+  const Mesh &in_a = a.mesh(), &in_b = b.mesh();
+  if (in_a.triangle_count() != in_b.triangle_count()) return false;
+  if (in_a.vertex_count() != in_b.vertex_count()) return false;
+  for (std::size_t i = 0; i < in_a.triangle_count(); ++i) {
+    const TriangleId t(i);
+    if (!are_equal(in_a, in_b, t) || a.edge_to_cut(t) != b.edge_to_cut(t)) return false;
+    if (a.generation(t) != b.generation(t) || a.root(t) != b.root(t)) return false;
+    if (a.sibling(t) != b.sibling(t)) return false;
+  }
+  for (std::size_t i = 0; i < in_a.vertex_count(); ++i) {
+    if (!are_equal(in_a, in_b, VertexId(i))) return false;
   }
   return true;
 }
@@ -101,6 +125,26 @@ bool are_equal(const Refinement& a, const Refinement& b) {
   };
   return std::ranges::equal(a.vertices, b.vertices, same_vertex) &&
          std::ranges::equal(a.triangles, b.triangles, same_halves) && a.refused == b.refused;
+}
+
+// A disc in a ring, between arcs of circles.
+Mesh round_mesh() {
+  Pslg pslg;
+  const double pi = std::acos(-1.0);
+  for (const double r : {1.0, 2.0}) {
+    const CurveId curve(pslg.entities.curves.size());
+    pslg.entities.curves.push_back({});
+    pslg.entities.curves.back().geometry = EllipseArc{{0, 0}, {r, 0}, {0, r}, 0, 2 * pi};
+    constexpr std::uint32_t pieces = 6;
+    const auto first = static_cast<std::uint32_t>(pslg.points.size());
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+      const double t = static_cast<double>(i) / pieces;
+      pslg.points.push_back({r * std::cos(2 * pi * t), r * std::sin(2 * pi * t)});
+      pslg.segments.push_back({VertexId(first + i), VertexId(first + (i + 1) % pieces), curve, t,
+                               static_cast<double>(i + 1) / pieces});
+    }
+  }
+  return constrained_delaunay(pslg).mesh;
 }
 
 double area_of(const Mesh& mesh) {
@@ -174,23 +218,9 @@ TEST_CASE("coarsening all brings the mesh of the start back, id by id, by either
   }
 }
 
-TEST_CASE("the order of the marks does not change the triangles, nor threads a single id") {
+TEST_CASE("the order of the marks does not change the triangles") {
   std::mt19937_64 random(4);
-  Mesh start = integer_mesh(random, 40);
-  Forest one(start), two(start), shuffled(start);
-  for (int round = 0; round < 9; ++round) {  // lists long enough for two threads
-    auto marked = all_triangles(one.mesh());
-    if (round >= 6) std::erase_if(marked, [&](TriangleId) { return random() % 4 != 0; });
-    const Refinement done = one.bisect(marked, {.threads = 1});
-    const Refinement same = two.bisect(marked, {.threads = 2});
-    REQUIRE(are_equal(one.mesh(), two.mesh()));
-    REQUIRE(are_equal(done, same));
-    REQUIRE(std::ranges::all_of(done.triangles, [&](const Halves& h) {
-      return one.edge_to_cut(h.other) == two.edge_to_cut(h.other) &&
-             one.sibling(h.other) == two.sibling(h.other);
-    }));
-  }
-  CHECK(validate(one.mesh(), {.delaunay = false}).summary() == "valid");
+  const Mesh start = integer_mesh(random, 40);
   for (int round = 0; round < 3; ++round) {
     Forest forward(start), backward(start);
     auto marked = some_triangles(random, start, 30);
@@ -198,5 +228,56 @@ TEST_CASE("the order of the marks does not change the triangles, nor threads a s
     std::ranges::shuffle(marked, random);
     backward.bisect(marked);
     CHECK(triangles_of(forward.mesh()) == triangles_of(backward.mesh()));
+  }
+}
+
+TEST_CASE("the number of threads does not change a single id, link, record or tree") {
+  std::mt19937_64 random(5);
+  const double ulp = 0x1p-52;  // of coordinates from 1 to 2
+  const struct {
+    const char* name;
+    Mesh start;
+    BisectionRule rule;
+    bool follow_curves, expects_refused;
+  } cases[] = {
+      {"longest edges", integer_mesh(random, 40), BisectionRule::longest_edge, false, false},
+      {"newest vertices", integer_mesh(random, 40), BisectionRule::newest_vertex, false, false},
+      {"curves", round_mesh(), BisectionRule::longest_edge, true, false},
+      {"refused", integer_mesh(random, 40, ulp, {1, 1}), BisectionRule::longest_edge, false, true}};
+  for (const auto& c : cases) {
+    CAPTURE(c.name);
+    Forest one(c.start, c.rule), two(c.start, c.rule);
+    BisectOptions options;
+    options.follow_curves = c.follow_curves;
+    std::size_t most_marked = 0, after_coarsening = 0, refused = 0;
+    const auto bisect = [&](const std::vector<TriangleId>& marked) {
+      most_marked = std::max(most_marked, marked.size());
+      options.threads = 1;
+      const Refinement done = one.bisect(marked, options);
+      options.threads = 2;
+      REQUIRE(are_equal(done, two.bisect(marked, options)));
+      if (marked.size() >= 1024) REQUIRE(are_equal(one, two));
+      refused += done.refused.size();
+      return done;
+    };
+    while (one.mesh().triangle_count() < 2500) {
+      if (bisect(all_triangles(one.mesh())).triangles.empty())
+        break;  // all that is left is refused
+    }
+    for (int round = 0; round < 2; ++round) {  // free ids and nodes are used again
+      auto marked = all_triangles(one.mesh());
+      std::erase_if(marked, [&](TriangleId) { return random() % 3 == 0; });
+      one.coarsen(marked);
+      two.coarsen(marked);
+      REQUIRE(are_equal(one, two));
+      marked = all_triangles(one.mesh());
+      std::erase_if(marked, [&](TriangleId) { return random() % 4 == 0; });
+      after_coarsening = std::max(after_coarsening, marked.size());
+      bisect(marked);
+    }
+    CHECK(most_marked >= 1024);  // lists long enough for two threads
+    CHECK(after_coarsening >= 1024);
+    CHECK((refused > 0) == c.expects_refused);
+    CHECK(validate(one.mesh(), {.delaunay = false}).summary() == "valid");
   }
 }

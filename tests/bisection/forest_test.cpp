@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -120,6 +121,59 @@ TEST_CASE("vertices on a bent boundary follow the curve if asked to, else the ch
     while (!forest.coarsen(all_triangles(forest.mesh())).vertices.empty()) {
     }
     CHECK(forest.mesh().vertex_count() == start.vertex_count());
+  }
+}
+
+TEST_CASE("a vertex on a bent interface is the same from whichever side it is asked for") {
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> angle(0, 1), radius(0.3, 2.5);
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    Pslg pslg = polygon({-4, 0, 0, -4, 4, 0, 0, 4});
+    const double start = angle(random), sweep = 0.5 + angle(random), r = radius(random);
+    const auto on_circle = [&](double a) { return Point{r * std::cos(a), r * std::sin(a)}; };
+    pslg.points.push_back(on_circle(start));
+    pslg.points.push_back(on_circle(start + sweep));
+    pslg.entities.curves.push_back({});
+    pslg.entities.curves[0].geometry = EllipseArc{{0, 0}, {r, 0}, {0, r}, start, sweep};
+    pslg.segments.push_back({VertexId(4U), VertexId(5U), CurveId(0U), 0, 1});
+    const Mesh mesh = mesh_of(pslg);
+    HalfEdge bent = *mesh.find_edge(VertexId(4U), VertexId(5U));
+    std::vector<Point> middles;
+    for (int side = 0; side < 2; ++side, bent = *mesh.twin(bent)) {
+      Forest forest(mesh);
+      while (forest.mesh().find_edge(VertexId(4U), VertexId(5U))) {
+        const HalfEdge e = side == 0 ? *forest.mesh().find_edge(VertexId(4U), VertexId(5U))
+                                     : *forest.mesh().find_edge(VertexId(5U), VertexId(4U));
+        const Refinement done =
+            forest.bisect(std::array{e.triangle}, {.follow_curves = true, .threads = 1});
+        REQUIRE(!done.vertices.empty());
+        for (const NewVertex& v : done.vertices) {
+          if (std::minmax({v.a, v.b}) != std::minmax({VertexId(4U), VertexId(5U)})) continue;
+          middles.push_back(forest.mesh().point(v.vertex));
+        }
+      }
+    }
+    REQUIRE(middles.size() == 2);
+    CHECK(middles[0] == middles[1]);
+  }
+}
+
+TEST_CASE("a limit on vertices is met exactly, and the mesh conforms") {
+  std::mt19937_64 random(15);
+  const Mesh start = integer_mesh(random, 20);
+  for (const std::size_t more : {0U, 1U, 7U, 50U}) {
+    Forest forest(start);
+    const std::size_t limit = start.vertex_count() + more;
+    const Refinement done = forest.bisect(all_triangles(start), {.max_vertices = limit});
+    const bool enough = forest.mesh().vertex_count() < limit;
+    CHECK(done.limited != enough);
+    CHECK(done.vertices.size() == forest.mesh().vertex_count() - start.vertex_count());
+    CHECK(forest.mesh().vertex_count() <= limit);
+    CHECK(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+    const Refinement rest = forest.bisect(all_triangles(start));  // no mark is forgotten
+    CHECK_FALSE(rest.limited);
+    for (const TriangleId t : all_triangles(start)) CHECK(forest.generation(t) >= 1);
   }
 }
 

@@ -5,11 +5,9 @@
 //
 //            c               sides a <= b <= |pq|, m the median on pq
 //          / | \             a and b are the longest edges of the halves:  a >= m, 2 a >= |pq|
-//       b /  |m \ a          and m is the longest edge of the two triangles in the middle, which
-//       the
-//        / \ | / \           cuts of b and a leave beside two that are similar to the whole:  2 m
-//        >= b
-//       p----+----q
+//       b /  |m \ a          and m is the longest edge of the two triangles in the middle,
+//        / \ | / \           which the cuts of b and a leave beside two that are similar to
+//       p----+----q          the whole:  2 m >= b
 //
 // Then the middle ones, cut along m, are similar to the halves again: four shapes, and no others.
 #include <doctest/doctest.h>

@@ -6,19 +6,26 @@
 
 #include "lepp/bisection/forest.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
+#include "support/fields.hpp"
 #include "support/shapes.hpp"
 
 namespace lepp::test {
 
 /// Points with small integer coordinates, times a power of two, in a square with a chain across:
 /// the middles of edges are exact for some forty generations, and the lengths for twenty.
-inline Mesh integer_mesh(std::mt19937_64& random, int points, double scale = 1 << 20) {
+inline Mesh integer_mesh(std::mt19937_64& random, int points, double scale = 1 << 20,
+                         Point corner = {0, 0}) {
   std::uniform_int_distribution<int> coordinate(1, 62);
-  Pslg pslg = polygon({0, 0, 63 * scale, 0, 63 * scale, 63 * scale, 0, 63 * scale});
-  add_chain(pslg, {{0, 21 * scale}, {63 * scale, 42 * scale}}, false);
+  const auto at = [&](int x, int y) {
+    return corner + scale * Point{static_cast<double>(x), static_cast<double>(y)};
+  };
+  Pslg pslg;
+  add_chain(pslg, {at(0, 0), at(63, 0), at(63, 63), at(0, 63)}, true);
+  add_chain(pslg, {at(0, 21), at(63, 42)}, false);
   std::vector<Point> known = pslg.points;
   for (int i = 0; i < points; ++i) {
-    const Point p{coordinate(random) * scale, coordinate(random) * scale};
+    const int x = coordinate(random), y = coordinate(random);
+    const Point p = at(x, y);
     if (std::ranges::find(known, p) != known.end()) continue;
     known.push_back(p);
     pslg.points.push_back(p);
@@ -31,12 +38,6 @@ inline std::vector<TriangleId> some_triangles(std::mt19937_64& random, const Mes
   std::vector<TriangleId> marked;
   for (std::size_t i = 0; i < count; ++i) marked.emplace_back(random() % mesh.triangle_count());
   return marked;
-}
-
-inline std::vector<TriangleId> all_triangles(const Mesh& mesh) {
-  std::vector<TriangleId> all;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) all.emplace_back(t);
-  return all;
 }
 
 }  // namespace lepp::test

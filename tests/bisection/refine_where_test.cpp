@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -33,7 +34,7 @@ TEST_CASE("Theorem 2: O(n^2) vertices inside the disc, O(n log n) outside") {
   Forest forest(quality_square());
   const Disc disc{{0.3, 0.4}, 0.1};
   std::vector<double> inside, outside;
-  double n = 0, eps = 0.04;
+  double n = 0, eps = 0.08;
   for (int halving = 0; halving <= 6; ++halving, eps /= 2) {
     const DiscCounts counts = refined(forest, disc, eps);
     n = 2 * disc.radius / eps;
@@ -45,16 +46,36 @@ TEST_CASE("Theorem 2: O(n^2) vertices inside the disc, O(n log n) outside") {
   CHECK(outside[6] < 1.2 * outside[3]);
 }
 
-TEST_CASE("a limit on vertices and the caller's stop leave a conforming mesh, and say so") {
+TEST_CASE("a limit on vertices is met exactly; it and the caller's stop leave a conforming mesh") {
   const auto always = [](const Mesh& mesh, TriangleId t) { return diameter(mesh, t) > 1e-3; };
   Forest forest(quality_square());
   WhereOptions options;
-  SUBCASE("limit") { options.max_vertices = 1000; }
+  SUBCASE("limit") { options.bisect.max_vertices = 1000; }
   SUBCASE("stop") {
     options.progress = [](std::size_t vertices) { return vertices < 1000; };
   }
   CHECK_FALSE(refine_where(forest, always, options).finished);
   CHECK(forest.mesh().vertex_count() >= 1000);
+  if (options.bisect.max_vertices > 0) CHECK(forest.mesh().vertex_count() == 1000);
   CHECK(forest.mesh().vertex_count() < 10000);
   CHECK(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+}
+
+TEST_CASE("a report has the refused triangles however it ends, each once") {
+  const double ulp = 0x1p-52;  // of coordinates from 1 to 2
+  const Mesh start = constrained_delaunay(polygon({1, 1, 1 + ulp, 1, 1 + 64 * ulp,  //
+                                                   1 + 64 * ulp, 1, 1 + ulp}))
+                         .mesh;
+  Forest forest(start);
+  WhereOptions options;
+  SUBCASE("nothing left that can be cut") {}
+  SUBCASE("limit") { options.bisect.max_vertices = 60; }
+  SUBCASE("stop") {
+    options.progress = [](std::size_t vertices) { return vertices < 60; };
+  }
+  const RefineWhereReport report = refine_where(
+      forest, [](const Mesh&, TriangleId) { return true; }, options);
+  CHECK_FALSE(report.finished);
+  REQUIRE_FALSE(report.done.refused.empty());
+  CHECK(std::ranges::adjacent_find(report.done.refused) == report.done.refused.end());
 }

@@ -4,56 +4,20 @@
 
 #include <Eigen/SparseCore>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "lepp/bisection/transfer_matrix.hpp"
-#include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/geometry/error.hpp"
+#include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/constrained_delaunay.hpp"
-#include "support/random.hpp"
+#include "support/fields.hpp"
 #include "support/shapes.hpp"
 
 using namespace lepp;
-using test::Random;
+using namespace lepp::test;
 
 namespace {
-
-double linear(Point p) { return 0.75 + 2 * p.x - 3 * p.y; }
-
-std::vector<double> linear_at(const Mesh& mesh) {
-  std::vector<double> values;
-  for (const Point p : mesh.points()) values.push_back(linear(p));
-  return values;
-}
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  REQUIRE(a.size() == b.size());
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
-std::vector<double> areas_of(const Mesh& mesh) {
-  std::vector<double> areas;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    const auto [a, b, c] = mesh.corners(TriangleId(i));
-    areas.push_back(signed_area(a, b, c));
-  }
-  return areas;
-}
-
-std::vector<TriangleId> some_triangles(const Mesh& mesh, Random& random, std::uint32_t one_in) {
-  std::vector<TriangleId> chosen;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    if (random.one_in(one_in)) chosen.emplace_back(i);
-  }
-  return chosen;
-}
-
-std::vector<double> noise(std::size_t n, Random& random) {
-  std::vector<double> values(n);
-  for (double& value : values) value = random.real(-1, 1);
-  return values;
-}
 
 double integral(const std::vector<double>& densities, const std::vector<double>& areas) {
   return std::inner_product(densities.begin(), densities.end(), areas.begin(), 0.0);
@@ -68,7 +32,7 @@ std::vector<double> times(const Eigen::SparseMatrix<double>& matrix, const std::
 
 Forest random_forest(std::uint64_t seed) {
   std::mt19937_64 shape(seed);
-  return Forest(constrained_delaunay(test::random_star(shape, static_cast<int>(seed % 3))).mesh,
+  return Forest(constrained_delaunay(random_star(shape, static_cast<int>(seed % 3))).mesh,
                 seed % 2 == 0 ? BisectionRule::longest_edge : BisectionRule::newest_vertex);
 }
 
@@ -87,27 +51,40 @@ void for_random_forests(auto round) {
 
 TEST_CASE("vertex values of a linear function stay those of it through bisect and coarsen") {
   for_random_forests([](Forest& forest, Random& random) {
-    std::vector<double> values = linear_at(forest.mesh());
+    std::vector<double> values = at_vertices(forest.mesh(), linear);
     for (int i = 0; i < 8; ++i) {
       if (random.one_in(2)) {
         transfer_vertices(forest.bisect(some_triangles(forest.mesh(), random, 3)), values);
       } else {
         transfer_vertices(forest.coarsen(some_triangles(forest.mesh(), random, 1)), values);
       }
-      CHECK(largest_difference(values, linear_at(forest.mesh())) < 1e-14);
+      CHECK(largest_difference(values, at_vertices(forest.mesh(), linear)) < 1e-14);
     }
   });
 }
 
-TEST_CASE("points transfer to the points of the mesh, bit for bit") {
-  for_random_forests([](Forest& forest, Random& random) {
+TEST_CASE(
+    "points transfer to the points of the mesh, bit for bit but for rounding at the boundary") {
+  std::size_t inside = 0, moved = 0;
+  for_random_forests([&](Forest& forest, Random& random) {
     std::vector<Point> points(forest.mesh().points().begin(), forest.mesh().points().end());
-    const auto same = [&] { return std::ranges::equal(points, forest.mesh().points()); };
-    transfer_vertices(forest.bisect(some_triangles(forest.mesh(), random, 2)), points);
-    CHECK(same());
+    const Refinement done = forest.bisect(some_triangles(forest.mesh(), random, 2));
+    for (const auto& [v, a, b] : done.vertices) {  // in turn, from what the mesh has
+      const Point between = midpoint(points[a.index()], points[b.index()]);
+      const Point p = forest.mesh().point(v);
+      points.push_back(p);
+      if (p == between) continue;
+      ++moved;
+      CHECK(std::max(std::abs(p.x - between.x), std::abs(p.y - between.y)) < 1e-15);
+      CHECK(orient2d(points[a.index()], points[b.index()], between) != 0);
+      inside += forest.mesh().is_boundary(forest.mesh().leaving(v)) ? 0 : 1;
+    }
+    CHECK(std::ranges::equal(points, forest.mesh().points()));
     transfer_vertices(forest.coarsen(some_triangles(forest.mesh(), random, 1)), points);
-    CHECK(same());
+    CHECK(std::ranges::equal(points, forest.mesh().points()));
   });
+  CHECK(inside == 0);
+  CHECK(moved > 0);
 }
 
 TEST_CASE("triangle values keep their integral through random rounds of bisect and coarsen") {
@@ -197,13 +174,11 @@ TEST_CASE("matrices of a coarsening do what replaying its log does") {
 }
 
 TEST_CASE("vertices between vertices of the same call: weights of an eighth and more") {
-  Forest forest(constrained_delaunay(test::unit_square()).mesh);
+  Forest forest(constrained_delaunay(unit_square()).mesh);
   Refinement all;  // as if it were one call
   const std::size_t before = forest.mesh().vertex_count();
   for (int i = 0; i < 6; ++i) {
-    std::vector<TriangleId> triangles;
-    for (std::size_t t = 0; t < forest.mesh().triangle_count(); ++t) triangles.emplace_back(t);
-    const Refinement one = forest.bisect(triangles);
+    const Refinement one = forest.bisect(all_triangles(forest.mesh()));
     all.vertices.insert(all.vertices.end(), one.vertices.begin(), one.vertices.end());
   }
   const auto P = prolongation(all, before);
@@ -217,11 +192,21 @@ TEST_CASE("vertices between vertices of the same call: weights of an eighth and 
 }
 
 TEST_CASE("a call that changes nothing is the identity") {
-  Forest forest(constrained_delaunay(test::unit_square()).mesh);
+  Forest forest(constrained_delaunay(unit_square()).mesh);
   std::vector<double> values = {1, 2, 3, 4};
   const Coarsening done = forest.coarsen(std::vector{TriangleId(0U)});
   transfer_vertices(done, values);
   CHECK(values == std::vector<double>{1, 2, 3, 4});
   CHECK(times(injection(done, 4), values) == values);
   CHECK(times(prolongation({}, 4), values) == values);
+}
+
+TEST_CASE("a matrix with more rows, columns or entries than 32 bits count is refused") {
+  const std::size_t most = std::numeric_limits<int>::max();
+  CHECK_NOTHROW(transfer_detail::check_count(most));
+  CHECK_THROWS_AS(transfer_detail::check_count(most + 1), RefusedError);
+  CHECK_THROWS_AS(prolongation({}, most + 1), RefusedError);
+  VertexTransfer transfer;
+  transfer.vertices_before = most + 1;
+  CHECK_THROWS_AS(interpolation(transfer), RefusedError);
 }

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <vector>
 
+#include "lepp/bisection/forest.hpp"
 #include "lepp/io/poly.hpp"
 #include "lepp/refine/refine.hpp"
 #include "lepp/triangulation/boundary_meetings.hpp"
@@ -51,6 +53,21 @@ TEST_CASE("inputs that once showed a bug give valid meshes with reasons that hol
     if (!endless && !below_floor) CHECK(certify(mesh).admissible);
   }
   CHECK(files >= 5);
+}
+
+TEST_CASE("bisecting inputs that once showed a bug never makes a mesh meet itself") {
+  for (const auto& entry : std::filesystem::directory_iterator(LEPP_REGRESSION)) {
+    if (entry.path().extension() != ".poly") continue;
+    CAPTURE(entry.path().filename().string());
+    Forest forest(constrained_delaunay(read_poly(entry.path()), {Crossings::split}).mesh);
+    for (int round = 0; round < 8; ++round) {
+      std::vector<TriangleId> all;
+      for (std::size_t t = 0; t < forest.mesh().triangle_count(); ++t) all.emplace_back(t);
+      forest.bisect(all);
+      REQUIRE_FALSE(first_boundary_meeting(forest.mesh()));
+    }
+    CHECK(validate(forest.mesh(), {.delaunay = false}).summary() == "valid");
+  }
 }
 
 TEST_CASE("with a largest angle asked for, report and check agree on inputs that showed a bug") {

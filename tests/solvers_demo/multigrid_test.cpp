@@ -8,9 +8,9 @@
 #include "adaptive_problems.hpp"
 #include "cross_points.hpp"
 #include "estimator.hpp"
+#include "lepp/bisection/vertices_made.hpp"
 #include "poisson_fe.hpp"
 #include "support/random.hpp"
-#include "vertices_made.hpp"
 
 using namespace lepp;
 using namespace lepp::demo;
@@ -73,13 +73,14 @@ TEST_CASE("multigrid: as many iterations on small and on large meshes, uniform o
       CAPTURE(theta);
       CAPTURE(name);
       Case one(name);
-      for (const std::size_t vertices : {500U, 5000U, 30000U}) {
+      for (const std::size_t vertices : {500U, 3000U, 10000U}) {
         CAPTURE(vertices);
         one.refine(vertices, theta);
         const Multigrid multigrid(one.system.K, one.free, one.made);
         const auto solution = solve_iteratively(one.system, one.free, multigrid, one.zero);
         CHECK(solution.converged);
         CHECK(solution.iterations <= 10);
+        if (vertices > 3000) continue;
         const Eigen::VectorXd direct = solve(one.forest.mesh(), one.problem.problem, one.system).u;
         CHECK((solution.u - direct).cwiseAbs().maxCoeff() < 1e-6);
       }

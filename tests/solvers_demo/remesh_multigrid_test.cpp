@@ -99,7 +99,7 @@ TEST_CASE("by delaunay each solution starts from the last one, transferred: few 
     CAPTURE(name);
     AdaptiveOptions options;
     options.by = RefineBy::delaunay;
-    options.max_unknowns = 3000;
+    options.max_unknowns = 1000;
     const auto multigrid = run_adaptive(adaptive_problem(name), options);
     for (const AdaptiveStep& step : multigrid) CHECK(step.iterations <= 10);
     options.solver = LinearSolver::direct;

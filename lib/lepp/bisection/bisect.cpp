@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
+#include <thread>
 
 #include "lepp/bisection/cutter.hpp"
 #include "lepp/bisection/forest.hpp"
+#include "lepp/bisection/make_room_for.hpp"
+#include "lepp/geometry/memory_access.hpp"
 #include "lepp/geometry/two_threads.hpp"
 
 namespace lepp {
@@ -11,6 +13,12 @@ namespace lepp {
 namespace {
 
 constexpr std::size_t at_once = 4096, too_few_for_threads = 1024;
+
+// More threads would wait for each other.
+unsigned processors() {
+  const unsigned number = std::thread::hardware_concurrency();
+  return number > 0 ? number : 2;  // it is not known everywhere
+}
 
 }  // namespace
 
@@ -25,10 +33,15 @@ constexpr std::size_t at_once = 4096, too_few_for_threads = 1024;
 // list, so that ids do not depend on their number.
 class Bisector {
  public:
-  Bisector(Forest& forest, const BisectOptions& options)
-      : forest_(forest), mesh_(forest.mesh_), threads_(options.threads), cutter_(forest, options) {}
+  Bisector(Forest& forest, const BisectOptions& options, Refinement& done)
+      : forest_(forest),
+        mesh_(forest.mesh_),
+        threads_(std::min(options.threads, processors())),
+        most_vertices_(options.max_vertices),
+        cutter_(forest, options),
+        result_(done) {}
 
-  Refinement run(std::span<const TriangleId> marked);
+  void run(std::span<const TriangleId> marked);
 
  private:
   using State = Forest::State;
@@ -38,21 +51,27 @@ class Bisector {
     std::vector<Cut> cuts;
     std::vector<TriangleId> refused, stuck, woken;  // stuck: they wait for what nobody has listed
     std::vector<TriangleId> waited;                 // of all batches
-    std::size_t sides = 0;
-    std::size_t first_cut = 0, first_side = 0;  // how many come before it
+    std::size_t sides = 0, constrained = 0;         // of the cuts
+    std::size_t first_cut = 0, first_side = 0;      // how many come before it
   };
 
+  void work_on_lists(std::span<const TriangleId> marked);
   std::span<const TriangleId> take(std::span<const TriangleId>& left);
   void work_on(std::span<const TriangleId> batch);
   void judge(Part& part);
   void judge(Part& part, TriangleId t);
+  void keep_within_limit();
   void make_room();
   void give_ids(Part& part);
   std::size_t sides() const { return parts_[0].sides + parts_[1].sides; }
   std::uint32_t pair(std::size_t i) const;
-  void settle(Part& part);
+  void settle();
+  void split_records(const Part& part);
+  void refuse(const Part& part);
   void refuse(TriangleId t);
+  void list_stuck(const Part& part);
   void finish();
+  void make_idle();
   void list(TriangleId t);
   bool is_wanted(TriangleId t) const;
   template <class Work>
@@ -64,16 +83,28 @@ class Bisector {
   Forest& forest_;
   Mesh& mesh_;
   const unsigned threads_;
+  const std::size_t most_vertices_;  // 0: any number
   Cutter cutter_;
   SecondThread second_;
-  Refinement result_;
+  Refinement& result_;
   std::vector<TriangleId> list_, next_, batch_;
   std::array<Part, 2> parts_;
   // Of the batch: what there was before it.
   std::size_t vertices_ = 0, triangles_ = 0, cuts_ = 0, halves_ = 0, pairs_ = 0, free_pairs_ = 0;
 };
 
-Refinement Bisector::run(std::span<const TriangleId> marked) {
+void Bisector::run(std::span<const TriangleId> marked) {
+  result_ = {};
+  try {
+    work_on_lists(marked);
+    finish();
+  } catch (...) {
+    make_idle();
+    throw;
+  }
+}
+
+void Bisector::work_on_lists(std::span<const TriangleId> marked) {
   result_.vertices.reserve(marked.size() / 2);
   result_.triangles.reserve(marked.size());
   next_.reserve(marked.size());
@@ -81,16 +112,17 @@ Refinement Bisector::run(std::span<const TriangleId> marked) {
   while (!next_.empty()) {  // ends: keys grow along a path, and each cut fulfils a wish
     list_.swap(next_);
     next_.clear();
-    for (std::span<const TriangleId> left = list_; !left.empty();) work_on(take(left));
+    for (std::span<const TriangleId> left = list_; !left.empty();) {
+      work_on(take(left));
+      if (result_.limited) return;
+    }
   }
-  finish();
-  return std::move(result_);
 }
 
 void Bisector::list(TriangleId t) {
   if (is_wanted(t) || state(t) == State::refused) return;
-  state(t) = State::listed;
   next_.push_back(t);
+  state(t) = State::listed;
 }
 
 bool Bisector::is_wanted(TriangleId t) const {
@@ -136,9 +168,7 @@ void Bisector::work_on(std::span<const TriangleId> batch) {
   in_parts([&](Part& part) {
     for (const Cut& cut : part.cuts) cutter_.forget(cut);
   });
-  for (Part& part : parts_) settle(part);
-  for (const Part& part : parts_) next_.insert(next_.end(), part.woken.begin(), part.woken.end());
-  forest_.free_pairs_.resize(free_pairs_ - std::min(free_pairs_, sides()));
+  settle();
 }
 
 void Bisector::judge(Part& part) {
@@ -146,7 +176,7 @@ void Bisector::judge(Part& part) {
   part.refused.clear();
   part.stuck.clear();
   part.woken.clear();
-  part.sides = 0;
+  part.sides = part.constrained = 0;
   for (std::size_t i = 0; i < part.list.size(); ++i) {
     cutter_.prefetch_for_plans(part.list, i);
     judge(part, part.list[i]);
@@ -157,21 +187,38 @@ void Bisector::judge(Part& part, TriangleId t) {
   const HalfEdge e = forest_.edge_to_cut(t);
   const auto across = mesh_.twin(e);
   if (across && forest_.edge_to_cut(across->triangle) != *across) {
-    const std::atomic_ref neighbour(state(across->triangle));
-    if (neighbour.load(std::memory_order_relaxed) == State::idle) part.stuck.push_back(t);
-    std::atomic_ref(state(t)).store(State::waiting, std::memory_order_relaxed);
+    if (load_relaxed(state(across->triangle)) == State::idle) part.stuck.push_back(t);
     part.waited.push_back(t);
+    store_relaxed(state(t), State::waiting);
   } else if (across && is_wanted(across->triangle) && across->triangle < t) {
     return;  // cut when the neighbour's turn comes
   } else if (const auto cut = cutter_.plan(e, across)) {
     part.cuts.push_back(*cut);
     part.sides += cut->side_count;
+    part.constrained += cut->constrained ? 1 : 0;
   } else {
     part.refused.push_back(t);
   }
 }
 
+// The first cuts of the batch, as many as may be.
+void Bisector::keep_within_limit() {
+  if (most_vertices_ == 0) return;
+  std::size_t left = most_vertices_ - std::min(most_vertices_, mesh_.vertex_count());
+  for (Part& part : parts_) {
+    for (; part.cuts.size() > left; part.cuts.pop_back()) {
+      part.sides -= part.cuts.back().side_count;
+      part.constrained -= part.cuts.back().constrained ? 1 : 0;
+      result_.limited = true;
+    }
+    left -= part.cuts.size();
+  }
+}
+
+// All that may fail comes before the first change: a batch that has room is cut to its end.
 void Bisector::make_room() {
+  constexpr std::size_t most_woken = 4;  // by one cut
+  keep_within_limit();
   vertices_ = mesh_.vertex_count();
   triangles_ = mesh_.triangle_count();
   cuts_ = result_.vertices.size();
@@ -181,9 +228,16 @@ void Bisector::make_room() {
   parts_[1].first_cut = parts_[0].cuts.size();
   parts_[1].first_side = parts_[0].sides;
   const std::size_t cuts = parts_[1].first_cut + parts_[1].cuts.size();
+  const std::size_t new_pairs = sides() - std::min(free_pairs_, sides());
+  for (Part& part : parts_) part.woken.reserve(most_woken * part.cuts.size());
+  make_room_for(result_.vertices, cuts);
+  make_room_for(result_.triangles, sides());
+  forest_.leaves_.make_room_for(sides());
+  forest_.pairs_.make_room_for(new_pairs);
+  mesh_.make_room_for_records(parts_[0].constrained + parts_[1].constrained);
   mesh_.grow(cuts, sides());
   forest_.leaves_.resize(triangles_ + sides());
-  forest_.pairs_.resize(pairs_ + sides() - std::min(free_pairs_, sides()));
+  forest_.pairs_.resize(pairs_ + new_pairs);
   result_.vertices.resize(cuts_ + cuts);
   result_.triangles.resize(halves_ + sides());
 }
@@ -210,16 +264,17 @@ std::uint32_t Bisector::pair(std::size_t i) const {
   return static_cast<std::uint32_t>(pairs_ + i - free_pairs_);
 }
 
-// What may concern triangles of the other part, or tables.
-void Bisector::settle(Part& part) {
-  for (const TriangleId t : part.refused) {
-    refuse(t);
-    const auto across = mesh_.twin(forest_.edge_to_cut(t));
-    if (across && is_wanted(across->triangle)) refuse(across->triangle);
-  }
-  for (const TriangleId t : part.stuck) {
-    if (state(t) == State::waiting) list(mesh_.twin(forest_.edge_to_cut(t))->triangle);
-  }
+// What may concern triangles of the other part, or tables: each step for both parts, so that it
+// does not matter where one ends. First what the cuts leave to do, which cannot fail.
+void Bisector::settle() {
+  forest_.free_pairs_.resize(free_pairs_ - std::min(free_pairs_, sides()));
+  for (const Part& part : parts_) split_records(part);
+  for (const Part& part : parts_) refuse(part);
+  for (const Part& part : parts_) list_stuck(part);
+  for (const Part& part : parts_) next_.insert(next_.end(), part.woken.begin(), part.woken.end());
+}
+
+void Bisector::split_records(const Part& part) {
   for (const Cut& cut : part.cuts) {
     if (!cut.constrained) continue;
     const Cut::Side& side = cut.sides[0];
@@ -228,13 +283,28 @@ void Bisector::settle(Part& part) {
   }
 }
 
+void Bisector::refuse(const Part& part) {
+  for (const TriangleId t : part.refused) {
+    refuse(t);
+    const auto across = mesh_.twin(forest_.edge_to_cut(t));
+    if (across && is_wanted(across->triangle)) refuse(across->triangle);
+  }
+}
+
 void Bisector::refuse(TriangleId t) {
   state(t) = State::refused;
   result_.refused.push_back(t);
 }
 
-// What still waits does so for a triangle that was refused.
+void Bisector::list_stuck(const Part& part) {
+  for (const TriangleId t : part.stuck) {
+    if (state(t) == State::waiting) list(mesh_.twin(forest_.edge_to_cut(t))->triangle);
+  }
+}
+
+// What still waits does so for a triangle that was refused, unless the limit was met.
 void Bisector::finish() {
+  if (result_.limited) make_idle();
   for (const Part& part : parts_) {
     for (const TriangleId t : part.waited) {
       if (state(t) == State::waiting) refuse(t);
@@ -244,8 +314,25 @@ void Bisector::finish() {
   std::ranges::sort(result_.refused);
 }
 
+// Lists have all that is in any other state.
+void Bisector::make_idle() {
+  for (const auto* all : {&list_, &next_, &result_.refused}) {
+    for (const TriangleId t : *all) state(t) = State::idle;
+  }
+  for (const Part& part : parts_) {
+    for (const TriangleId t : part.waited) state(t) = State::idle;  // those woken as well
+  }
+}
+
 Refinement Forest::bisect(std::span<const TriangleId> marked, const BisectOptions& options) {
-  return Bisector(*this, options).run(marked);
+  Refinement done;
+  bisect(marked, options, done);
+  return done;
+}
+
+void Forest::bisect(std::span<const TriangleId> marked, const BisectOptions& options,
+                    Refinement& done) {
+  Bisector(*this, options, done).run(marked);
 }
 
 }  // namespace lepp

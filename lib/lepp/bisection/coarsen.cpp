@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "lepp/bisection/forest.hpp"
+#include "lepp/bisection/make_room_for.hpp"
 #include "lepp/triangulation/mesh_fan.hpp"
 
 namespace lepp {
@@ -37,9 +38,15 @@ class Coarsener {
   Coarsening result_;
 };
 
-// Nodes keep their numbers while triangles move.
+// Nodes keep their numbers while triangles move. All that may fail comes before the first change.
 Coarsening Coarsener::run(std::span<const TriangleId> marked) {
   std::vector<std::uint32_t> nodes, parents;
+  nodes.reserve(marked.size());
+  parents.reserve(marked.size());
+  result_.vertices.reserve(marked.size() / 2);  // each has two marked triangles
+  result_.triangles.reserve(marked.size());
+  make_room_for(forest_.free_pairs_, marked.size());
+  mesh_.make_room_for_records(0);
   for (const TriangleId t : marked) {
     if (state(t) == State::listed) continue;
     state(t) = State::listed;

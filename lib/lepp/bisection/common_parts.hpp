@@ -21,6 +21,7 @@ class CommonParts {
 
   /// Calls visit(old, part, area) for each old triangle that has more than a trillionth of its
   /// area, or of the new one's, in common with `t`; `part` is the new triangle cut by the old one.
+  /// Triangles so thin that their computed area is not above 0 have nothing in common with others.
   template <class Visit>
   void for_each(TriangleId t, Visit visit);
 
@@ -52,7 +53,8 @@ void CommonParts::for_each(TriangleId t, Visit visit) {
       if (!part.goes_on_across(edge)) continue;
       if (const auto across = before_.twin({old, edge})) reach(across->triangle);
     }
-    if (area > least_part * std::min(whole, signed_area(x[0], x[1], x[2]))) visit(old, part, area);
+    const double smaller = std::min(whole, signed_area(x[0], x[1], x[2]));
+    if (smaller > 0 && area > least_part * smaller) visit(old, part, area);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "lepp/bisection/cutter.hpp"
 
+#include <algorithm>
+
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/split.hpp"
@@ -21,7 +23,8 @@ std::optional<Cut> Cutter::plan(HalfEdge e, std::optional<HalfEdge> across) cons
 bool Cutter::place_middle(Cut& cut) const {
   const HalfEdge e = cut.sides[0].e;
   if (cut.constrained) {
-    const ConstrainedPiece piece = piece_from(mesh_, e, mesh_.origin(e));
+    const VertexId from = std::min(mesh_.origin(e), mesh_.destination(e));  // from either side
+    const ConstrainedPiece piece = piece_from(mesh_, e, from);
     if (options_.follow_curves && piece.curve != nullptr) {
       const CurvePoint on_curve = halfway(*piece.curve, piece.piece);
       cut.parameter = on_curve.t;
@@ -30,7 +33,10 @@ bool Cutter::place_middle(Cut& cut) const {
     cut.parameter = 0.5 * (piece.piece.t_a + piece.piece.t_b);
   }
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  return try_middle(cut, in_supported_range(midpoint(a, b)));
+  const Point middle = in_supported_range(midpoint(a, b));
+  if (cut.side_count == 2) return try_middle(cut, middle);
+  const auto fits = [&](Point p) { return try_middle(cut, p); };
+  return point_near_chord(mesh_, e, middle, fits).has_value();
 }
 
 // Whether all halves would be counter-clockwise; if so, which of their edges are the next.
@@ -54,21 +60,21 @@ bool Cutter::try_middle(Cut& cut, Point middle) const {
 
 void Cutter::announce(const Cut& cut) {
   for (const Cut::Side& side : cut.both()) {
-    half(side.e.triangle) = 4 * side.second.value + side.e.edge;
+    announced(side.e.triangle) = 4 * side.second.value + side.e.edge;
   }
 }
 
 void Cutter::forget(const Cut& cut) {
-  for (const Cut::Side& side : cut.both()) half(side.e.triangle) = Forest::none;
+  for (const Cut::Side& side : cut.both()) announced(side.e.triangle) = Forest::none;
 }
 
 // What lies across `e` once all of the round is cut.
 std::optional<HalfEdge> Cutter::now_across(HalfEdge e) const {
   const auto across = mesh_.twin(e);
-  if (!across || half(across->triangle) == Forest::none) return across;
-  const std::uint32_t announced = half(across->triangle);
-  if (across->edge != next_corner(announced % 4)) return across;
-  return HalfEdge{TriangleId(announced / 4), across->edge};
+  if (!across || announced(across->triangle) == Forest::none) return across;
+  const std::uint32_t cut = announced(across->triangle);
+  if (across->edge != next_corner(cut % 4)) return across;
+  return HalfEdge{TriangleId(cut / 4), across->edge};
 }
 
 void Cutter::write(const Cut& cut, std::vector<TriangleId>& woken) {
@@ -92,7 +98,7 @@ void Cutter::write(const Cut& cut, std::vector<TriangleId>& woken) {
 // What is cut itself does not wait. Of others, the edge first: no other thread looks at the state
 // of who waits at this edge.
 void Cutter::wake(std::optional<HalfEdge> across, std::vector<TriangleId>& woken) {
-  if (!across || half(across->triangle) != Forest::none) return;
+  if (!across || announced(across->triangle) != Forest::none) return;
   Forest::Leaf& leaf = forest_.leaves_[across->triangle.index()];
   if (leaf.cut != across->edge || leaf.state != Forest::State::waiting) return;
   leaf.state = Forest::State::listed;
@@ -117,7 +123,7 @@ void Cutter::write_side(const Cut& cut, const Cut::Side& side, std::optional<Hal
   mesh_.set_across({u, from_c.edge}, to_c);
   mesh_.set_constrained_flag({u, e.edge}, cut.constrained);
   mesh_.set_constrained_flag({u, to_c.edge}, mesh_.is_constrained(to_c));
-  if (before && half(before->triangle) == Forest::none) {  // else it sees to that itself
+  if (before && announced(before->triangle) == Forest::none) {  // else it sees to that itself
     mesh_.set_across(*before, HalfEdge{u, to_c.edge});
   }
 
@@ -147,7 +153,7 @@ void Cutter::grow_tree(const Cut::Side& side) {
 
 void Cutter::prefetch(TriangleId t) const {
   mesh_.prefetch(t);
-  __builtin_prefetch(forest_.leaves_.data() + t.index());
+  lepp::prefetch(forest_.leaves_.data() + t.index());
 }
 
 // Each step looks at what the step before, some places ago, has asked for.
@@ -171,7 +177,7 @@ void Cutter::prefetch_for_writes(std::span<const Cut> cuts, std::size_t i) const
   }
   if (i + step >= cuts.size()) return;
   for (const Cut::Side& side : cuts[i + step].both()) {
-    __builtin_prefetch(&forest_.pairs_[forest_.leaves_[side.e.triangle.index()].node / 2]);
+    lepp::prefetch(&forest_.pairs_[forest_.leaves_[side.e.triangle.index()].node / 2]);
     mesh_.prefetch_leaving(mesh_.destination(side.e));
     if (const auto across = mesh_.twin(next_edge(side.e))) prefetch(across->triangle);
     if (const auto across = mesh_.twin(previous_edge(side.e))) prefetch(across->triangle);

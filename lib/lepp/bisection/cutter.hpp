@@ -37,7 +37,8 @@ class Cutter {
   Cutter(Forest& forest, const BisectOptions& options)
       : forest_(forest), mesh_(forest.mesh_), options_(options) {}
 
-  /// Where `e` will be cut, its twin being `across`; nothing if no double lies well between.
+  /// Where `e` will be cut, in the middle or, on the boundary, some ulps inside of it, its twin
+  /// being `across`; nothing if no double lies well between.
   std::optional<Cut> plan(HalfEdge e, std::optional<HalfEdge> across) const;
   /// Tells those who look across its edges that the triangles of the cut will be cut.
   void announce(const Cut& cut);
@@ -69,8 +70,8 @@ class Cutter {
   std::optional<HalfEdge> across_cut(TriangleId t) const {
     return mesh_.twin(forest_.edge_to_cut(t));
   }
-  std::uint32_t& half(TriangleId t) { return forest_.leaves_[t.index()].half; }
-  std::uint32_t half(TriangleId t) const { return forest_.leaves_[t.index()].half; }
+  std::uint32_t& announced(TriangleId t) { return forest_.leaves_[t.index()].announced; }
+  std::uint32_t announced(TriangleId t) const { return forest_.leaves_[t.index()].announced; }
 
   Forest& forest_;
   Mesh& mesh_;

@@ -19,14 +19,18 @@ enum class BisectionRule {
 };
 
 struct BisectOptions {
-  /// New vertices on bent boundary curves lie on the curve, where that leaves all triangles
-  /// counter-clockwise, and not halfway along the chord. Descendants then no longer fill their
-  /// parent, and the bounds on angles hold only in the limit.
+  /// New vertices on bent curves, of the boundary and between regions, lie on the curve, where that
+  /// leaves all triangles counter-clockwise, and not halfway along the chord. Descendants then no
+  /// longer fill their parent, and the bounds on angles hold only in the limit.
   bool follow_curves = false;
   unsigned threads = 2;  ///< at most so many; the result has the same bytes for any number
+  /// No vertex is added beyond so many: what comes first in the order of work is cut, and the mesh
+  /// conforms. 0: no limit.
+  std::size_t max_vertices = 0;
 };
 
-/// A vertex between `a` and `b`: halfway, unless curves are followed.
+/// A vertex between `a` and `b`: halfway, unless curves are followed. On the boundary it may be
+/// some ulps away from there, so that the mesh does not reach over its boundary, exactly.
 struct NewVertex {
   VertexId vertex, a, b;
 };
@@ -42,6 +46,9 @@ struct Refinement {
   std::vector<Halves> triangles;    ///< ids `other` follow each other, from the old count on
   /// Marked, or on the way of those, and not cut: no double lies well between the ends of the edge.
   std::vector<TriangleId> refused;
+  /// max_vertices came first: a marked triangle is as it was. `refused` then has those whose own
+  /// edge is to blame, and not what waits for them.
+  bool limited = false;
 };
 
 /// What coarsen() did, in the order in which it was done. With each removal the last vertex, or
@@ -76,12 +83,18 @@ class Forest {
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
   /// Cost  O(new triangles). Arrays grow twofold without being copied where the system can move
   ///       pages (growing_array.hpp); the table of constrained edges is copied when it doubles.
+  /// \throw RefusedError beyond max_triangles (mesh.hpp), std::bad_alloc. Then a part of it is done
+  ///        and the mesh conforms; what was marked may be marked again.
   Refinement bisect(std::span<const TriangleId> marked, const BisectOptions& options = {});
+  /// The same for callers that go on after an exception: `done` then says what was done until
+  /// there, so that values can be transferred. Its list of refused triangles need not be complete.
+  void bisect(std::span<const TriangleId> marked, const BisectOptions& options, Refinement& done);
 
   /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
   /// vertex has only marked triangles around it, all made when it was. Roots stay. Called with all
   /// triangles until nothing changes, it brings the mesh of the start back, every id included.
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
+  /// \throw std::bad_alloc; nothing has changed then
   /// Cost  O(marked)
   Coarsening coarsen(std::span<const TriangleId> marked);
 
@@ -115,9 +128,9 @@ class Forest {
   enum class State : std::uint8_t { idle, listed, taken, waiting, refused };
   struct Leaf {
     std::uint32_t node = none;
-    std::uint32_t half = none;  // within a round, if it is being cut: 4 * second half + edge
-    std::uint8_t cut = 0;       // the edge that will be cut
-    State state = State::idle;  // between two calls: idle
+    std::uint32_t announced = none;  // within a round, if it is cut: 4 * second half + edge
+    std::uint8_t cut = 0;            // the edge that will be cut
+    State state = State::idle;       // between two calls: idle
   };
 
   static bool is_first(std::uint32_t node) { return node % 2 == 0; }

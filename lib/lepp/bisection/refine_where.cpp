@@ -12,6 +12,30 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
+void sort_once(std::vector<TriangleId>& list) {
+  std::ranges::sort(list);
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+// The triangles that a round has changed, and those it left, once each.
+std::vector<TriangleId> touched_by(const Refinement& round) {
+  std::vector<TriangleId> touched = round.refused;
+  for (const auto& [whole, other] : round.triangles) {
+    touched.push_back(whole);
+    touched.push_back(other);
+  }
+  sort_once(touched);
+  return touched;
+}
+
+void add_round(Refinement& all, const Refinement& round) {
+  append(all.vertices, round.vertices);
+  append(all.triangles, round.triangles);
+  append(all.refused, round.refused);
+  sort_once(all.refused);
+  all.limited = round.limited;
+}
+
 }  // namespace
 
 double diameter(const Mesh& mesh, TriangleId t) {
@@ -21,37 +45,22 @@ double diameter(const Mesh& mesh, TriangleId t) {
 }
 
 // After the first round only what that round has changed can be new to the list.
-WhereReport refine_where(Forest& forest,
-                         const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,
-                         const WhereOptions& options) {
-  WhereReport report;
+RefineWhereReport refine_where(Forest& forest,
+                               const std::function<bool(const Mesh&, TriangleId)>& is_to_be_cut,
+                               const WhereOptions& options) {
+  RefineWhereReport report;
   std::vector<TriangleId> marked;
   for (std::size_t i = 0; i < forest.mesh().triangle_count(); ++i) {
     if (is_to_be_cut(forest.mesh(), TriangleId(i))) marked.emplace_back(i);
   }
   while (!marked.empty()) {  // ends: triangles shrink
-    const std::size_t vertices = forest.mesh().vertex_count();
-    if (options.max_vertices > 0 && vertices >= options.max_vertices) return report;
-    if (options.progress && !options.progress(vertices)) return report;
+    if (options.progress && !options.progress(forest.mesh().vertex_count())) return report;
     const Refinement round = forest.bisect(marked, options.bisect);
     ++report.rounds;
-    std::vector<TriangleId> changed = round.refused;
-    for (const auto& [whole, other] : round.triangles) {
-      changed.push_back(whole);
-      changed.push_back(other);
-    }
-    std::ranges::sort(changed);
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    marked.clear();
-    for (const TriangleId t : changed) {
-      if (is_to_be_cut(forest.mesh(), t)) marked.push_back(t);
-    }
-    append(report.done.vertices, round.vertices);
-    append(report.done.triangles, round.triangles);
-    if (round.triangles.empty()) {  // what is left cannot be cut
-      report.done.refused = round.refused;
-      return report;
-    }
+    add_round(report.done, round);
+    if (round.limited || round.triangles.empty()) return report;  // or what is left cannot be cut
+    marked = touched_by(round);
+    std::erase_if(marked, [&](TriangleId t) { return !is_to_be_cut(forest.mesh(), t); });
   }
   report.finished = true;
   return report;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "lepp/geometry/place_on_segment.hpp"
 #include "lepp/geometry/predicates.hpp"
 
 namespace lepp {
@@ -18,18 +19,10 @@ bool contains(const Corners& t, Point p) {
          orient2d(t[2], t[0], p) >= 0;
 }
 
-double squared_distance_to_segment(Point p, Point a, Point b) {
-  const Point d = b - a;
-  const double whole = dot(d, d);
-  if (whole == 0) return squared_distance(p, a);  // two corners of a polygon at one place
-  const double along = std::clamp(dot(p - a, d) / whole, 0.0, 1.0);
-  return squared_distance(p, a + along * d);
-}
-
 bool meets_disc(const Disc& disc, const Corners& t) {
   if (contains(t, disc.center)) return true;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double least = squared_distance_to_segment(disc.center, t[i], t[(i + 1) % 3]);
+    const double least = nearest_place(t[i], t[(i + 1) % 3], disc.center).squared_distance;
     if (least <= disc.radius * disc.radius) return true;
   }
   return false;
@@ -112,7 +105,7 @@ double distance(const Region& region, Point p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
     const Point b = polygon.corners[(i + 1) % polygon.corners.size()];
-    least = std::min(least, squared_distance_to_segment(p, polygon.corners[i], b));
+    least = std::min(least, nearest_place(polygon.corners[i], b, p).squared_distance);
   }
   return std::sqrt(least);
 }

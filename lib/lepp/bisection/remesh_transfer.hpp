@@ -34,7 +34,9 @@ struct VertexTransfer {
 /// are met with order 2. Values stay between the smallest and the largest old one. A vertex that
 /// both meshes have keeps its value exactly. At an interface, vertices have one value; none is
 /// taken across it, unless the interface has moved.
-/// \pre  M1 to M3, both with triangles.  Cost O(n) expected in the size of both meshes
+/// \pre  M1 to M3, both with triangles
+/// Cost  O(n) expected in the size of both meshes; and O(size of the old mesh) for each vertex of a
+///       part of the new one, connected by edges, that has no vertex in the old mesh
 VertexTransfer vertex_transfer(const Mesh& before, const Mesh& after);
 
 /// \tparam Value  adds, and is multiplied by a double: a number, a Point, a fixed-size vector
@@ -100,9 +102,15 @@ struct TriangleTransferOptions {
 /// lie between the smallest and the largest old one. Elsewhere a new triangle that is partly
 /// outside the old mesh takes the mean over what is inside, one fully outside takes that of the
 /// nearest one that is not, counted in triangles, and what old triangles have is then divided among
-/// those that take from them in proportion. \pre   M1 to M3, both with triangles \throw InputError
-/// if a part of the domain, or of a region, is in one mesh only Cost   O(n) expected in the size of
-/// both meshes and the number of pairs that overlap
+/// those that take from them in proportion.
+///
+/// So a piece that one mesh lacks, as where a boundary has moved, is filled from beside it, however
+/// large it is, and nobody is told; only a whole connected part without any counterpart is an
+/// error. Where a new triangle meets the old mesh in several parts, cut off from each other by a
+/// boundary that has moved, parts without the middle of the triangle may be missed.
+/// \pre   M1 to M3, both with triangles
+/// \throw InputError if a connected part of the domain, or of a region, is in one mesh only
+/// Cost   O(n) expected in the size of both meshes and the number of pairs that overlap
 TriangleTransfer triangle_transfer(const Mesh& before, const Mesh& after,
                                    const TriangleTransferOptions& options = {});
 

@@ -5,18 +5,21 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
 
 #include "lepp/bisection/forest.hpp"
 #include "lepp/bisection/remesh_transfer.hpp"
+#include "lepp/geometry/error.hpp"
 
 namespace lepp {
 
 // The maps of transfer.hpp and remesh_transfer.hpp as sparse matrices. Rows: vertices or triangles
 // of the new mesh, or after the call that returned the log; columns: of the old one, or before.
-// Each costs O(rows + columns); transfer.hpp only the change.
+// Each costs O(rows + columns); transfer.hpp only the change. Such matrices have numbers of 32
+// bits: \throw RefusedError above 2^31 - 1 rows, columns or entries
 
 /// P1 through bisect(): of a linear function on each old triangle, the values at all new vertices.
 /// Rows of old vertices are those of the identity; each row sums to 1.
@@ -49,6 +52,12 @@ Eigen::SparseMatrix<double> triangle_projection(const TriangleTransfer& transfer
 
 namespace transfer_detail {
 
+inline void check_count(std::size_t count) {
+  if (count <= static_cast<std::size_t>(std::numeric_limits<int>::max())) return;
+  throw RefusedError("a transfer matrix", "has more than 2^31 - 1 rows, columns or entries",
+                     "transfer values without a matrix (transfer.hpp, remesh_transfer.hpp)");
+}
+
 struct Entry {
   int column;
   double value;
@@ -79,6 +88,7 @@ inline Row mean(const Row& a, const Row& b) {
 /// A 1 in each row, where `column` says.
 inline Eigen::SparseMatrix<double> selection(std::span<const std::uint32_t> column,
                                              std::size_t columns) {
+  check_count(std::max(column.size(), columns));
   std::vector<Eigen::Triplet<double>> ones;
   ones.reserve(column.size());
   for (std::size_t row = 0; row < column.size(); ++row) {
@@ -101,6 +111,7 @@ inline std::vector<std::uint32_t> counted_up_to(std::size_t n) {
 inline Eigen::SparseMatrix<double> prolongation(const Refinement& refinement,
                                                 std::size_t vertices_before) {
   using namespace transfer_detail;
+  check_count(vertices_before + refinement.vertices.size());
   std::vector<Row> rows;  // of the new vertices
   rows.reserve(refinement.vertices.size());
   const auto row_of = [&](VertexId v) {
@@ -112,10 +123,11 @@ inline Eigen::SparseMatrix<double> prolongation(const Refinement& refinement,
   Eigen::SparseMatrix<double, Eigen::RowMajor> P(
       static_cast<Eigen::Index>(vertices_before + rows.size()),
       static_cast<Eigen::Index>(vertices_before));
-  P.reserve(std::accumulate(rows.begin(), rows.end(), static_cast<Eigen::Index>(vertices_before),
-                            [](Eigen::Index sum, const Row& row) {
-                              return sum + static_cast<Eigen::Index>(row.size());
-                            }));
+  const std::size_t entries =
+      std::accumulate(rows.begin(), rows.end(), vertices_before,
+                      [](std::size_t sum, const Row& row) { return sum + row.size(); });
+  check_count(entries);
+  P.reserve(static_cast<Eigen::Index>(entries));
   for (Eigen::Index i = 0; i < P.rows(); ++i) {
     P.startVec(i);
     for (const Entry& entry : row_of(VertexId(static_cast<std::size_t>(i)))) {
@@ -152,6 +164,7 @@ inline Eigen::SparseMatrix<double> injection(const Coarsening& coarsening,
 
 inline Eigen::SparseMatrix<double> triangle_averaging(const Coarsening& coarsening,
                                                       std::span<const double> areas) {
+  transfer_detail::check_count(areas.size());
   auto now = transfer_detail::counted_up_to(areas.size());  // the old triangle an id stands for
   auto part_of = now;                                       // itself, or one it was joined to
   std::vector<double> sum(areas.begin(), areas.end());
@@ -178,6 +191,7 @@ inline Eigen::SparseMatrix<double> triangle_averaging(const Coarsening& coarseni
 }
 
 inline Eigen::SparseMatrix<double> interpolation(const VertexTransfer& transfer) {
+  transfer_detail::check_count(std::max(3 * transfer.sources.size(), transfer.vertices_before));
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(3 * transfer.sources.size());
   for (std::size_t row = 0; row < transfer.sources.size(); ++row) {
@@ -194,6 +208,8 @@ inline Eigen::SparseMatrix<double> interpolation(const VertexTransfer& transfer)
 }
 
 inline Eigen::SparseMatrix<double> triangle_projection(const TriangleTransfer& transfer) {
+  transfer_detail::check_count(
+      std::max({transfer.shares.size(), transfer.begins.size(), transfer.triangles_before}));
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(transfer.shares.size());
   for (std::size_t row = 0; row + 1 < transfer.begins.size(); ++row) {

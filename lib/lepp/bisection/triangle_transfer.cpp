@@ -13,12 +13,14 @@ namespace {
 using Share = TriangleTransfer::Share;
 using Keep = TriangleTransferOptions::Keep;
 
+/// Above 0, as all are if computed exactly.
 std::vector<double> areas_of(const Mesh& mesh) {
+  constexpr double of_a_sliver = 1e-300;
   std::vector<double> areas;
   areas.reserve(mesh.triangle_count());
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const auto [a, b, c] = mesh.corners(TriangleId(t));
-    areas.push_back(signed_area(a, b, c));
+    areas.push_back(std::max(of_a_sliver, signed_area(a, b, c)));
   }
   return areas;
 }

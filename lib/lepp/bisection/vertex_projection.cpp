@@ -1,27 +1,12 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lepp/bisection/common_parts.hpp"
 #include "lepp/bisection/remesh_transfer.hpp"
+#include "lepp/geometry/linear_function.hpp"
 
 namespace lepp {
 namespace {
-
-/// The function that is linear on a triangle, with these values at its corners.
-class LinearFunction {
- public:
-  LinearFunction(const std::array<Point, 3>& x, const std::array<double, 3>& values)
-      : at_(x[0]), value_(values[0]) {
-    const Point a = x[1] - x[0], b = x[2] - x[0];
-    const double to_a = values[1] - values[0], to_b = values[2] - values[0];
-    const double scale = 1 / cross(a, b);
-    gradient_ = {scale * (to_a * b.y - to_b * a.y), scale * (to_b * a.x - to_a * b.x)};
-  }
-  double operator()(Point p) const { return value_ + dot(gradient_, p - at_); }
-
- private:
-  Point at_, gradient_;
-  double value_;
-};
 
 std::array<double, 3> at_corners(const Mesh& mesh, TriangleId t,
                                  const std::vector<double>& values) {
@@ -52,6 +37,7 @@ std::vector<double> loads_of(const Mesh& before, const Mesh& after, const std::v
     const TriangleId t(i);
     const auto x = after.corners(t);
     const std::array<Point, 3> here{Point{0, 0}, x[1] - x[0], x[2] - x[0]};
+    // of a sliver not finite, and then not asked: it has no part in common with others
     const LinearFunction now(here, at_corners(after, t, w));
     const LinearFunction second(here, {0, 1, 0}), third(here, {0, 0, 1});
     std::array<double, 3> sums{};
@@ -77,7 +63,7 @@ class MassMatrix {
     twelfths_.reserve(mesh.triangle_count());
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
       const auto [a, b, c] = mesh.corners(TriangleId(t));
-      twelfths_.push_back(signed_area(a, b, c) / 12);
+      twelfths_.push_back(std::max(0.0, signed_area(a, b, c)) / 12);  // of slivers
       for (const VertexId v : mesh.vertices(TriangleId(t))) {
         diagonal_[v.index()] += 2 * twelfths_.back();
       }
@@ -116,7 +102,9 @@ void add_solution(const MassMatrix& M, std::vector<double> r, std::vector<double
   constexpr double reduction = 1e-15;
   const auto divided = [&](const std::vector<double>& y) {
     std::vector<double> z(y.size());
-    for (std::size_t i = 0; i < y.size(); ++i) z[i] = y[i] / M.diagonal()[i];
+    for (std::size_t i = 0; i < y.size(); ++i) {  // nothing is added where there is no area
+      z[i] = M.diagonal()[i] > 0 ? y[i] / M.diagonal()[i] : 0;
+    }
     return z;
   };
   std::vector<double> p = divided(r), q;

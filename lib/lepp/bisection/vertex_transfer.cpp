@@ -2,7 +2,9 @@
 #include <limits>
 
 #include "lepp/bisection/remesh_transfer.hpp"
+#include "lepp/geometry/place_on_segment.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/triangulation/boundary_walk.hpp"
 #include "lepp/triangulation/locate.hpp"
 
 namespace lepp {
@@ -10,6 +12,35 @@ namespace {
 
 using Source = VertexTransfer::Source;
 
+/// The place of an edge that is nearest to a point.
+struct NearPlace {
+  HalfEdge edge;
+  double along = 0;  // from the origin of the edge (0) to its destination (1)
+  double squared_distance = std::numeric_limits<double>::infinity();
+};
+
+NearPlace near_place(const Mesh& mesh, HalfEdge e, Point p) {
+  const auto [along, squared] =
+      nearest_place(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)), p);
+  return {e, along, squared};
+}
+
+Source source_on(const Mesh& mesh, const NearPlace& place) {
+  return {{mesh.origin(place.edge), mesh.destination(place.edge), mesh.apex(place.edge)},
+          {1 - place.along, place.along, 0}};
+}
+
+/// A triangle as thin as rounding is taken for its edges.
+Source source_in_sliver(const Mesh& mesh, TriangleId t, Point p) {
+  NearPlace nearest;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const NearPlace here = near_place(mesh, {t, i}, p);
+    if (here.squared_distance < nearest.squared_distance) nearest = here;
+  }
+  return source_on(mesh, nearest);
+}
+
+/// That `p` is inside is exact, and the areas are not.
 Source source_at(const Mesh& mesh, const Location& place, Point p) {
   const auto& corners = mesh.vertices(place.triangle);
   Source source{corners, {0, 0, 0}};
@@ -24,33 +55,9 @@ Source source_at(const Mesh& mesh, const Location& place, Point p) {
     }
     sum += source.weights[i];
   }
+  if (!(sum > 0)) return source_in_sliver(mesh, place.triangle, p);
   for (double& weight : source.weights) weight /= sum;
   return source;
-}
-
-/// The place of a boundary edge that is nearest to a point.
-struct NearPlace {
-  HalfEdge edge;
-  double along = 0;  // from the origin of the edge (0) to its destination (1)
-  double squared_distance = std::numeric_limits<double>::infinity();
-};
-
-NearPlace near_place(const Mesh& mesh, HalfEdge e, Point p) {
-  const Point a = mesh.point(mesh.origin(e)), d = mesh.point(mesh.destination(e)) - a;
-  const double s = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-  return {e, s, squared_distance(a + s * d, p)};
-}
-
-HalfEdge next_side(const Mesh& mesh, HalfEdge e) {
-  HalfEdge next = next_edge(e);
-  while (const auto across = mesh.twin(next)) next = next_edge(*across);
-  return next;
-}
-
-HalfEdge previous_side(const Mesh& mesh, HalfEdge e) {
-  HalfEdge previous = previous_edge(e);
-  while (const auto across = mesh.twin(previous)) previous = previous_edge(*across);
-  return previous;
 }
 
 /// From one edge of the boundary along it, as long as one of the next eight is nearer.
@@ -135,9 +142,7 @@ class OutsidePlaces {
   }
 
   void use(VertexId v, const NearPlace& place) {
-    transfer_.sources[v.index()] = {
-        {before_.origin(place.edge), before_.destination(place.edge), before_.apex(place.edge)},
-        {1 - place.along, place.along, 0}};
+    transfer_.sources[v.index()] = source_on(before_, place);
     ++transfer_.outside;
   }
 

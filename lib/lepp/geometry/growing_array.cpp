@@ -17,12 +17,12 @@ void* checked(void* block) {
 
 #ifdef __linux__
 
-constexpr std::size_t few = std::size_t{1} << 20;  // bytes
+constexpr std::size_t least_mapped = std::size_t{1} << 20;  // bytes
 
 void* mapped(void* block) { return checked(block == MAP_FAILED ? nullptr : block); }
 
-// Blocks of at least `few` bytes are mapped, so that they can be moved.
-bool is_mapped(std::size_t bytes) { return bytes >= few; }
+// Blocks of at least `least_mapped` bytes are mapped, so that they can be moved.
+bool is_mapped(std::size_t bytes) { return bytes >= least_mapped; }
 
 void* map(std::size_t bytes) {
   return mapped(::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));

@@ -77,6 +77,10 @@ class GrowingArray {
     if (size > room_) make_room(std::max(size, 2 * room_));
     size_ = size;
   }
+  /// The next so many items then need no more room, and cannot fail. Doubles, as resize() does.
+  void make_room_for(std::size_t more) {
+    if (more > room_ - size_) make_room(std::max(size_ + more, 2 * room_));
+  }
   void reserve(std::size_t room) {
     if (room > room_) make_room(room);
   }

@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <future>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -71,6 +72,7 @@ class SecondThread {
     try {
       thread_ = std::thread([this] { serve(); });
     } catch (const std::system_error&) {  // no thread to be had: one after the other
+    } catch (const std::bad_alloc&) {     // likewise
     }
     return thread_.joinable();
   }
@@ -94,11 +96,21 @@ class SecondThread {
     }
   }
 
+  // Tells the processor that this thread only waits.
+  static void rest() {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    asm volatile("yield");
+#endif
+  }
+
   // Most pieces take some tens of microseconds: sleeping at once would cost as much.
   static void await(const std::atomic<std::uint32_t>& count, std::uint32_t turn) {
-    constexpr int looks = 20000;
+    constexpr int looks = 2000;
     for (int i = 0; i < looks; ++i) {
       if (count.load(std::memory_order_acquire) == turn) return;
+      rest();
     }
     while (count.load(std::memory_order_acquire) != turn) count.wait(turn - 1);
   }

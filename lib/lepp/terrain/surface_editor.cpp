@@ -57,7 +57,8 @@ bool SurfaceEditor::cut(HalfEdge e, double least) {
 bool SurfaceEditor::cut_at(HalfEdge e, Point p) { return terrain_.may_cut(e) && split(e, p); }
 
 bool SurfaceEditor::split(HalfEdge e, Point p) {
-  const auto q = place_on_chord(mesh_, e, in_supported_range(p));
+  const auto q = point_near_chord(mesh_, e, in_supported_range(p),
+                                  [&](Point r) { return can_split_edge(mesh_, e, r); });
   if (!q) return false;
   const bool planar = flips_.is_planar(e.triangle);
   now_.clear();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lepp/geometry/memory_access.hpp"
+
 namespace lepp {
 
 // Multiplies by an odd constant and maps the high half to [0, slots) without a division. The low
@@ -32,6 +34,19 @@ void EdgeRecords::reserve(std::size_t edges) {
   if (slots > slots_.size()) resize(slots);
 }
 
+// Parameters are as many as the records that use some and those that are free. A new one is made
+// when none is free, so there are never more than there were records.
+void EdgeRecords::make_room_for(std::size_t more) {
+  const std::size_t edges = size_ + more;
+  if (5 * (edges + 1) > 4 * slots_.size()) {
+    resize(std::max(2 * slots_.size() + 8, edges + edges / 4 + 8));
+  }
+  if (edges > parameters_.capacity()) parameters_.reserve(2 * edges);
+  if (parameters_.capacity() > free_parameters_.capacity()) {
+    free_parameters_.reserve(parameters_.capacity());
+  }
+}
+
 std::optional<EdgeRecords::Record> EdgeRecords::find(VertexId a, VertexId b) const {
   if (slots_.empty()) return std::nullopt;
   const auto [low, high] = std::minmax(a.value, b.value);
@@ -44,7 +59,7 @@ std::optional<EdgeRecords::Record> EdgeRecords::find(VertexId a, VertexId b) con
 
 void EdgeRecords::prefetch(VertexId a, VertexId b) const {
   const auto [low, high] = std::minmax(a.value, b.value);
-  __builtin_prefetch(&slots_[home(low, high)]);
+  lepp::prefetch(&slots_[home(low, high)]);
 }
 
 void EdgeRecords::store(Slot& slot, const Record& record) {

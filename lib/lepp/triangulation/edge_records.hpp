@@ -30,6 +30,9 @@ class EdgeRecords {
 
   std::size_t size() const { return size_; }
   void reserve(std::size_t edges);
+  /// As long as there are at most so many more records than now, set() and erase() cannot fail.
+  /// Room at least doubles where there is not enough. \throw std::bad_alloc; nothing has changed
+  void make_room_for(std::size_t more);
   std::optional<Record> find(VertexId a, VertexId b) const;
   /// Asks the memory for the place of edge ab, which will be looked up soon.
   void prefetch(VertexId a, VertexId b) const;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "lepp/geometry/place_on_segment.hpp"
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/xorshift.hpp"
+#include "lepp/triangulation/boundary_walk.hpp"
 #include "lepp/triangulation/locator.hpp"
 #include "lepp/triangulation/spatial_order.hpp"
 
@@ -18,16 +20,8 @@ int side_of(const Mesh& mesh, HalfEdge e, Point p) {
 
 // The squared distance from p to edge e, rounded: it only says where to look first.
 double squared_distance_to(const Mesh& mesh, HalfEdge e, Point p) {
-  const Point a = mesh.point(mesh.origin(e)), d = mesh.point(mesh.destination(e)) - a;
-  const double s = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-  return squared_distance(a + s * d, p);
-}
-
-// The boundary edge after e, the mesh on the left.
-HalfEdge next_side(const Mesh& mesh, HalfEdge e) {
-  HalfEdge next = next_edge(e);
-  while (const auto across = mesh.twin(next)) next = next_edge(*across);
-  return next;
+  return nearest_place(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e)), p)
+      .squared_distance;
 }
 
 struct NearSide {

@@ -296,6 +296,10 @@ void Mesh::join_records(VertexId a, VertexId v, VertexId b) {
 
 void Mesh::grow(std::size_t vertices, std::size_t triangles) {
   if (triangles_.size() + triangles > max_triangles) refuse_more_triangles();
+  points_.make_room_for(vertices);
+  origins_.make_room_for(vertices);
+  leaving_.make_room_for(vertices);
+  triangles_.make_room_for(triangles);
   points_.resize(points_.size() + vertices);
   origins_.resize(origins_.size() + vertices);
   leaving_.resize(leaving_.size() + vertices);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "lepp/geometry/entities.hpp"
 #include "lepp/geometry/growing_array.hpp"
 #include "lepp/geometry/ids.hpp"
+#include "lepp/geometry/memory_access.hpp"
 #include "lepp/geometry/point.hpp"
 #include "lepp/geometry/pslg.hpp"
 #include "lepp/triangulation/edge_records.hpp"
@@ -141,9 +141,9 @@ class Mesh {
   std::optional<HalfEdge> find_edge(VertexId a, VertexId b) const;
 
   /// Asks the memory for what will be looked at soon: a triangle, or the point of a vertex.
-  void prefetch(TriangleId t) const { __builtin_prefetch(triangles_.data() + t.index()); }
-  void prefetch(VertexId v) const { __builtin_prefetch(points_.data() + v.index()); }
-  void prefetch_leaving(VertexId v) const { __builtin_prefetch(leaving_.data() + v.index()); }
+  void prefetch(TriangleId t) const { lepp::prefetch(triangles_.data() + t.index()); }
+  void prefetch(VertexId v) const { lepp::prefetch(points_.data() + v.index()); }
+  void prefetch_leaving(VertexId v) const { lepp::prefetch(leaving_.data() + v.index()); }
 
   // ---- building and changing: for the triangulation layer ------------------------------------
   // These keep each array consistent in itself; M1 to M6 are the caller's to restore.
@@ -206,10 +206,14 @@ class Mesh {
   void split_record(VertexId a, VertexId b, VertexId v, double t);
   /// The records of (a, v) and (v, b), of one segment, become that of (a, b) again.
   void join_records(VertexId a, VertexId v, VertexId b);
+  /// The next so many of split_record(), and any of join_records() and remove_vertex(), then cannot
+  /// fail. \throw std::bad_alloc; nothing has changed then
+  void make_room_for_records(std::size_t splits) { constrained_edges_.make_room_for(splits); }
 
   // For two threads that change different triangles: each call writes one side of an edge, one
   // triangle or one vertex only.
   /// Adds so many vertices and triangles, which the next functions then set.
+  /// \throw RefusedError beyond max_triangles, std::bad_alloc; nothing has changed then
   void grow(std::size_t vertices, std::size_t triangles);
   void set_vertex(VertexId v, Point p, VertexOrigin origin) {
     points_[v.index()] = p;
@@ -218,10 +222,8 @@ class Mesh {
   void set_leaving(VertexId v, HalfEdge e) { leaving_[v.index()] = code(e); }
   /// leaving(v) becomes `to` if it is `from`. Calls for one `v` at a time need different `from`.
   void move_leaving(VertexId v, HalfEdge from, HalfEdge to) {
-    const std::atomic_ref leaving(leaving_[v.index()]);
-    if (leaving.load(std::memory_order_relaxed) == code(from)) {
-      leaving.store(code(to), std::memory_order_relaxed);
-    }
+    std::uint32_t& leaving = leaving_[v.index()];
+    if (load_relaxed(leaving) == code(from)) store_relaxed(leaving, code(to));
   }
   /// A triangle without constrained edges and with nothing across them yet.
   void set_triangle(TriangleId t, const std::array<VertexId, 3>& vertices, SurfaceId region) {

@@ -37,7 +37,7 @@ class RawTriangulation {
   VertexId destination(Code e) const { return apex(previous(e)); }
   Code twin(Code e) const { return triangles[e >> 2].across_[e & 3]; }
   /// Asks the memory for triangle `t`, which will be looked at soon.
-  void prefetch(std::uint32_t t) const { __builtin_prefetch(&triangles[t]); }
+  void prefetch(std::uint32_t t) const { lepp::prefetch(&triangles[t]); }
   bool is_ghost(std::uint32_t t) const { return triangles[t].vertices[2] == ghost; }
   /// The edge that leaves the same vertex next, counter-clockwise.
   Code turn(Code e) const { return twin(previous(e)); }

@@ -25,9 +25,6 @@ bool long_enough(const ConstrainedPiece& e, Point p, double floor) {
   return least >= floor * floor && least > 0;
 }
 
-// How many steps of rounding a point may be moved to the mesh's side of an edge.
-constexpr int most_steps = 4;
-
 ConstrainedSplit split_at(Mesh& mesh, HalfEdge e, const ConstrainedPiece& geometry,
                           CurvePoint on_curve, CurvePoint on_chord, double floor) {
   const auto cut = [&](Point p, double t) -> ConstrainedSplit {
@@ -39,7 +36,8 @@ ConstrainedSplit split_at(Mesh& mesh, HalfEdge e, const ConstrainedPiece& geomet
     const Point p = in_supported_range(on_curve.point);
     if (can_cut(p) && can_split_edge(mesh, e, p)) return cut(p, on_curve.t);
   }
-  const auto p = place_on_chord(mesh, e, in_supported_range(on_chord.point));
+  const auto p = point_near_chord(mesh, e, in_supported_range(on_chord.point),
+                                  [&](Point q) { return can_split_edge(mesh, e, q); });
   return p && can_cut(*p) ? cut(*p, on_chord.t) : ConstrainedSplit{};
 }
 
@@ -104,32 +102,6 @@ ConstrainedSplit split_fan(Mesh& mesh, HalfEdge e, const Fan& fan, double floor)
 
 }  // namespace
 
-// A double near `p`, a rounded point of chord ab, that can cut `e`. Where nothing lies across `e`,
-// it is on the chord or on the mesh's side of it, exactly: the mesh may touch itself again an ulp
-// away, and a point outside the chord would reach over there.
-//
-//     a --------- p ------- b     p lies a hair outside: one step along x, along y, or along both,
-//            q   mesh             towards the mesh, leads to q; nothing that is not mesh joins it
-//
-std::optional<Point> place_on_chord(const Mesh& mesh, HalfEdge e, Point p) {
-  const Point a = mesh.point(mesh.origin(e)), b = mesh.point(mesh.destination(e));
-  const auto fits = [&](Point q) {
-    return (!mesh.is_boundary(e) || orient2d(a, b, q) >= 0) && can_split_edge(mesh, e, q);
-  };
-  if (fits(p)) return p;
-  if (!mesh.is_boundary(e)) return std::nullopt;
-  const auto ulp = [](double c, double d) { return 0x1p-53 * std::max(std::abs(c), std::abs(d)); };
-  const Point step{std::copysign(ulp(a.x, b.x), a.y - b.y),
-                   std::copysign(ulp(a.y, b.y), b.x - a.x)};
-  for (int k = 1; k <= most_steps; ++k) {
-    for (const Point move : {Point{step.x, 0}, Point{0, step.y}, step}) {
-      const Point q = in_supported_range(p + static_cast<double>(k) * move);
-      if (fits(q)) return q;
-    }
-  }
-  return std::nullopt;
-}
-
 ConstrainedPiece piece_from(const Mesh& mesh, HalfEdge e, VertexId from) {
   const VertexId to = mesh.origin(e) == from ? mesh.destination(e) : mesh.origin(e);
   const ConstrainedEdge& record = mesh.constrained_edge(e);
@@ -141,6 +113,28 @@ ConstrainedPiece piece_from(const Mesh& mesh, HalfEdge e, VertexId from) {
     result.curve = &mesh.entities()[*curve].geometry;
   }
   return result;
+}
+
+//     a --------- p ------- b     p lies a hair outside: one step along x, along y, or along both,
+//            q   mesh             towards the mesh, leads to q; nothing that is not mesh joins it
+//
+std::optional<Point> point_near_chord(const Mesh& mesh, HalfEdge e, Point p,
+                                      const std::function<bool(Point)>& fits) {
+  const Point a = mesh.point(mesh.origin(e)), b = mesh.point(mesh.destination(e));
+  if (!mesh.is_boundary(e)) return fits(p) ? std::optional(p) : std::nullopt;
+  const auto does = [&](Point q) { return orient2d(a, b, q) >= 0 && fits(q); };
+  if (does(p)) return p;
+  constexpr int most_steps = 4;
+  const auto ulp = [](double c, double d) { return 0x1p-53 * std::max(std::abs(c), std::abs(d)); };
+  const Point step{std::copysign(ulp(a.x, b.x), a.y - b.y),
+                   std::copysign(ulp(a.y, b.y), b.x - a.x)};
+  for (int k = 1; k <= most_steps; ++k) {
+    for (const Point move : {Point{step.x, 0}, Point{0, step.y}, step}) {
+      const Point q = in_supported_range(p + static_cast<double>(k) * move);
+      if (does(q)) return q;
+    }
+  }
+  return std::nullopt;
 }
 
 ConstrainedSplit split_halfway(Mesh& mesh, HalfEdge e, double floor) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,10 +22,13 @@ struct ConstrainedPiece {
 };
 ConstrainedPiece piece_from(const Mesh& mesh, HalfEdge e, VertexId from);
 
-/// A double at or next to `p`, a rounded point of the chord of `e`, that can cut `e`. Where nothing
-/// lies across, it is on the chord or on the mesh's side of it, exactly.
-/// \return nothing if no double there can
-std::optional<Point> place_on_chord(const Mesh& mesh, HalfEdge e, Point p);
+/// A double near `p`, a rounded point of the chord of `e`, for which `fits` is true. Where nothing
+/// lies across `e`, it is on the chord or on the mesh's side of it, exactly: the mesh may touch
+/// itself again an ulp away, and a point outside the chord would reach over there.
+/// \param fits  called for `p` and then for points up to four ulps from it; the last time with the
+///              point that is returned, if there is one
+std::optional<Point> point_near_chord(const Mesh& mesh, HalfEdge e, Point p,
+                                      const std::function<bool(Point)>& fits);
 
 /// Cuts constrained edge `e` at the point halfway along it, on its curve if it has one and the
 /// mesh stays valid, else on the chord. A point on the chord of a boundary edge never lies outside

@@ -103,8 +103,8 @@ std::vector<double> estimate(const Mesh& mesh, const std::vector<double>& u) {
   return eta;
 }
 
-std::vector<TriangleId> mark(
-    const std::vector<double>& eta) {  // half of the sum, the largest first
+// Those with half of the sum, the largest first.
+std::vector<TriangleId> mark(const std::vector<double>& eta) {
   std::vector<TriangleId> order;
   for (std::size_t i = 0; i < eta.size(); ++i) order.emplace_back(i);
   std::ranges::stable_sort(order, std::greater<>(), [&](TriangleId t) { return eta[t.index()]; });

@@ -1,9 +1,9 @@
-#include "vertices_made.hpp"
+#include "lepp/bisection/vertices_made.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace lepp::demo {
+namespace lepp {
 namespace {
 
 /// Ids of all triangles.
@@ -72,4 +72,4 @@ std::vector<NewVertex> vertices_made(Forest forest) {
   return removed;
 }
 
-}  // namespace lepp::demo
+}  // namespace lepp
