@@ -105,9 +105,11 @@ class SecondThread {
 #endif
   }
 
-  // Most pieces take some tens of microseconds: sleeping at once would cost as much.
+  // Most pieces take some tens of microseconds: sleeping at once would cost as much. A look with a
+  // rest takes many times one without, and on a virtual machine may cost the processor
+  // (docs/benchmarks.md).
   static void await(const std::atomic<std::uint32_t>& count, std::uint32_t turn) {
-    constexpr int looks = 2000;
+    constexpr int looks = 100;
     for (int i = 0; i < looks; ++i) {
       if (count.load(std::memory_order_acquire) == turn) return;
       rest();
