@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -68,12 +69,19 @@ class Wanted {
     return size > field_->least_within(a, b, c, wanted);
   }
 
+  // The largest size at which a triangle is not too large, but for what size_at() says.
+  double size_in(const std::array<Point, 3>& corners) const {
+    const auto [a, b, c] = corners;
+    const double size = is_in_region(corners) ? below_max_edge() : infinite;
+    return field_ ? field_->least_within(a, b, c, size) : size;
+  }
+
   // A size for points. A triangle that meets a region has all of its points within its diameter of
   // the region, so with a margin for what the size grows by until there it ends up below max_edge.
   double size_at(Point p) const {
-    double size = field_ ? (*field_)(p) : std::numeric_limits<double>::infinity();
-    const double at_region = (1 - grading_) * max_edge_;
-    if (regions_.empty()) return std::min(size, max_edge_);
+    double size = field_ ? (*field_)(p) : infinite;
+    const double at_region = (1 - grading_) * below_max_edge();
+    if (regions_.empty()) return std::min(size, below_max_edge());
     for (const Region& region : regions_) {
       size = std::min(size, at_region + grading_ * distance(region, p));
     }
@@ -81,6 +89,12 @@ class Wanted {
   }
 
  private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  // Sizes are kept if no edge is longer; below max_edge is what was asked for.
+  double below_max_edge() const {
+    return max_edge_ < infinite ? std::nextafter(max_edge_, 0.0) : infinite;
+  }
   bool is_in_region(const std::array<Point, 3>& corners) const {
     if (regions_.empty()) return true;
     return std::ranges::any_of(regions_, [&](const Region& r) { return meets(r, corners); });
@@ -123,6 +137,7 @@ RefineReport insert(Mesh& mesh, const RefineCommand& command, const Wanted& want
   RefineOptions options;
   options.min_angle_deg = command.min_angle_deg;
   options.size = [&](Point p) { return wanted.size_at(p); };
+  options.size_in = [&](Point a, Point b, Point c) { return wanted.size_in({a, b, c}); };
   options.max_vertices = command.max_vertices;
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   make_delaunay(mesh);

@@ -26,6 +26,12 @@ void make_start(const ScratchFolder& folder) {
   REQUIRE(run(folder.path(), "mesh in.poly --max-edge 0.3 -q -o start.ele").status == 0);
 }
 
+// The unit square as two triangles, square.ele.
+void make_square(const ScratchFolder& folder) {
+  write(folder.path() / "square.node", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n");
+  write(folder.path() / "square.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
+}
+
 std::size_t too_large(const fs::path& file, const Region& region, double eps) {
   const Mesh mesh = mesh_from_triangles(read_ele(file)).mesh;
   std::size_t count = 0;
@@ -86,6 +92,36 @@ TEST_CASE("a size at a point inside a large triangle holds there, at any grading
   REQUIRE(run(folder.path(), "refine start.ele -o out.ele -q --size-file sizes.txt --grading 0.9")
               .status == 0);
   CHECK(too_large(folder.path() / "out.ele", Disc{{0.21, 0.37}, 0}, 1.0001e-3) == 0);
+}
+
+TEST_CASE("lepp refine by delaunay: a size at a point reaches the triangle around it") {
+  const ScratchFolder folder;
+  make_start(folder);
+  write(folder.path() / "one.txt", "0.45 0.56 0.24\n");
+  for (const std::string grading : {"0", "0.25", "0.9"}) {
+    CAPTURE(grading);
+    const std::string arguments =
+        "refine start.ele -o out.ele --force -q --by delaunay --size-file one.txt --grading ";
+    CHECK(run(folder.path(), arguments + grading).status == 0);
+    CHECK(too_large(folder.path() / "out.ele", Disc{{0.45, 0.56}, 0}, 0.24001) == 0);
+  }
+}
+
+TEST_CASE("lepp refine: edges as long as --max-edge are too long, either way and at any grading") {
+  const ScratchFolder folder;
+  make_square(folder);
+  for (const std::string options :
+       {"--max-edge 1", "--max-edge 1 --in \"box 0 0 1 1\" --grading 0",
+        "--max-edge 0.5 --in \"disc 0.5 0.5 0.1\" --grading 0"}) {
+    for (const std::string by : {"bisect", "delaunay"}) {
+      CAPTURE(options);
+      CAPTURE(by);
+      const std::string start = "refine square.ele -o out.ele --force -q --by ";
+      CHECK(run(folder.path(), start + by + " " + options).status == 0);
+    }
+  }
+  CHECK(run(folder.path(), "refine square.ele -o out.ele --force -q --max-edge 1").status == 0);
+  CHECK(too_large(folder.path() / "out.ele", Box{{-1, -1}, {2, 2}}, 1) == 0);
 }
 
 TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {
