@@ -168,10 +168,19 @@ void check(const Mesh& mesh, const RefineCommand& command, const RefineReport& r
   report.violations = checked.violations;
 }
 
+Files files_read(const RefineCommand& command) {
+  Files files{command.input, command.size_file};
+  for (const std::string& region : command.regions) {
+    if (const auto file = polygon_file(region)) files.push_back(*file);
+  }
+  return files;
+}
+
 int run(RefineCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_mesh_target(command.output, command.input);
-  check_report_target(command.json, command.input, files_of(command.output.target));
+  const Files inputs = files_read(command);
+  check_mesh_target(command.output, inputs);
+  check_report_target(command.json, inputs, files_of(command.output.target));
   const Wanted wanted(command);
   RunReport report;
   report.input = command.input.string();

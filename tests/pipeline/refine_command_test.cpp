@@ -110,9 +110,8 @@ TEST_CASE("lepp refine by delaunay: a size at a point reaches the triangle aroun
 TEST_CASE("lepp refine: edges as long as --max-edge are too long, either way and at any grading") {
   const ScratchFolder folder;
   make_square(folder);
-  for (const std::string options :
-       {"--max-edge 1", "--max-edge 1 --in \"box 0 0 1 1\" --grading 0",
-        "--max-edge 0.5 --in \"disc 0.5 0.5 0.1\" --grading 0"}) {
+  for (const std::string options : {"--max-edge 1", "--max-edge 1 --in \"box 0 0 1 1\" --grading 0",
+                                    "--max-edge 0.5 --in \"disc 0.5 0.5 0.1\" --grading 0"}) {
     for (const std::string by : {"bisect", "delaunay"}) {
       CAPTURE(options);
       CAPTURE(by);
@@ -122,6 +121,47 @@ TEST_CASE("lepp refine: edges as long as --max-edge are too long, either way and
   }
   CHECK(run(folder.path(), "refine square.ele -o out.ele --force -q --max-edge 1").status == 0);
   CHECK(too_large(folder.path() / "out.ele", Box{{-1, -1}, {2, 2}}, 1) == 0);
+}
+
+TEST_CASE("lepp refine overwrites neither a size file nor a polygon, --force or not") {
+  const ScratchFolder folder;
+  make_square(folder);
+  const std::string polygon = "0.1 0.1\n0.9 0.1\n0.5 0.9\n", sizes = "0.5 0.5 0.1\n";
+  for (const char* name : {"p.txt", "p.msh"}) write(folder.path() / name, polygon);
+  for (const char* name : {"s.txt", "s.msh"}) write(folder.path() / name, sizes);
+  const std::string with_polygon = "refine square.ele -q --max-edge 0.5 --force --in ";
+  const std::string with_sizes = "refine square.ele -q --force --size-file ";
+  for (const std::string& arguments :
+       {with_sizes + "s.txt -o new.msh --json s.txt", with_sizes + "s.msh -o s.msh",
+        with_polygon + "'polygon p.txt' -o new.msh --json p.txt",
+        with_polygon + "' polygon  p.txt ' -o new.msh --json ./p.txt",
+        with_polygon + "'polygon p.msh' -o p.msh"}) {
+    CAPTURE(arguments);
+    CHECK(run(folder.path(), arguments).status == 5);
+  }
+  for (const char* name : {"p.txt", "p.msh"}) CHECK(content_of(folder.path() / name) == polygon);
+  for (const char* name : {"s.txt", "s.msh"}) CHECK(content_of(folder.path() / name) == sizes);
+}
+
+TEST_CASE("lepp refine: blanks around a region do not count, another line does") {
+  const ScratchFolder folder;
+  make_square(folder);
+  write(folder.path() / "my corners.txt", "0.1 0.1\n0.9 0.1\n0.5 0.9\n");
+  const auto status = [&](const std::string& region) {
+    return run(folder.path(),
+               "refine square.ele -o out.ele -q --force --max-edge 0.5 --in '" + region + "'")
+        .status;
+  };
+  for (const std::string region : {"polygon my corners.txt", "polygon  my corners.txt",
+                                   " polygon my corners.txt ", "\tdisc 0 0  0.1 "}) {
+    CAPTURE(region);
+    CHECK(status(region) == 0);
+  }
+  for (const std::string region :
+       {"disc 0 0 1\ndisc 1 1 1", "polygon ", "polygon", "polygons my corners.txt"}) {
+    CAPTURE(region);
+    CHECK(status(region) == 2);
+  }
 }
 
 TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {
