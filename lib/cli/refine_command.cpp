@@ -28,6 +28,8 @@ namespace {
 
 enum class By { bisect, delaunay };
 
+constexpr std::size_t most_by_bisection = 10'000'000;  // vertices, if nothing else is said
+
 struct RefineCommand {
   std::filesystem::path input, size_file;
   OutputOptions output;
@@ -37,7 +39,7 @@ struct RefineCommand {
   By by = By::bisect;
   BisectionRule rule = BisectionRule::longest_edge;
   double min_angle_deg = 30;
-  std::size_t max_vertices = 10'000'000;
+  std::optional<std::size_t> max_vertices;
   unsigned threads = 2;
   std::string json;
   bool allow_unfinished = false, quiet = false;
@@ -107,7 +109,9 @@ class Wanted {
 
 Reason reason_of(const Mesh& mesh, const RefineCommand& command) {
   if (interrupted()) return Reason::cancelled;
-  return mesh.vertex_count() >= command.max_vertices ? Reason::budget : Reason::size_floor;
+  return mesh.vertex_count() >= command.max_vertices.value_or(most_by_bisection)
+             ? Reason::budget
+             : Reason::size_floor;
 }
 
 // Triangles that are still too large, and why.
@@ -116,7 +120,7 @@ RefineReport bisect(Mesh& mesh, const RefineCommand& command, const Wanted& want
   Progress progress;
   WhereOptions options;
   options.bisect.threads = command.threads;
-  options.max_vertices = command.max_vertices;
+  options.max_vertices = command.max_vertices.value_or(most_by_bisection);
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   const std::size_t before = mesh.vertex_count();
   Forest forest(std::move(mesh), command.rule);
@@ -138,7 +142,7 @@ RefineReport insert(Mesh& mesh, const RefineCommand& command, const Wanted& want
   options.min_angle_deg = command.min_angle_deg;
   options.size = [&](Point p) { return wanted.size_at(p); };
   options.size_in = [&](Point a, Point b, Point c) { return wanted.size_in({a, b, c}); };
-  options.max_vertices = command.max_vertices;
+  options.max_vertices = command.max_vertices.value_or(0);  // 0: what the sizes suggest
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   make_delaunay(mesh);
   return refine(mesh, options);
@@ -245,9 +249,11 @@ void add_options(CLI::App& refine, RefineCommand& command) {
   refine.add_option("--min-angle", command.min_angle_deg, "smallest angle wanted, by delaunay")
       ->check(number_from(0, 45))
       ->capture_default_str();
-  refine.add_option("--max-vertices", command.max_vertices, "stop at so many vertices")
-      ->check(whole_number_from(1))
-      ->capture_default_str();
+  refine
+      .add_option("--max-vertices", command.max_vertices,
+                  "stop at so many vertices (default: by bisect 10 million, by delaunay 50 times "
+                  "what mesh and sizes suggest)")
+      ->check(whole_number_from(1));
 }
 
 }  // namespace

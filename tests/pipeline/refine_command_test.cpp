@@ -164,6 +164,19 @@ TEST_CASE("lepp refine: blanks around a region do not count, another line does")
   }
 }
 
+TEST_CASE("lepp refine by delaunay ends at the budget that the library sets for such sizes") {
+  const ScratchFolder folder;
+  // A sliver of 1e-12 beside a square: triangles of this size could fill it with millions.
+  fs::copy_file(LEPP_REGRESSION "/sliver_beside_a_square.poly", folder.path() / "in.poly");
+  REQUIRE(run(folder.path(), "mesh in.poly -q -o start.ele").status == 0);
+  const Outcome stopped =
+      run(folder.path(), "refine start.ele -o out.ele -q --json - --max-edge 0.05 --by delaunay");
+  CHECK(stopped.status == 3);
+  const Json report = Json::parse(stopped.out);
+  CHECK(report["vertices"] < 200000);
+  CHECK(report["below_bound"]["budget"] > 0);
+}
+
 TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {
   const ScratchFolder folder;
   make_start(folder);
