@@ -223,6 +223,23 @@ int run(RefineCommand& command) {
   return status;
 }
 
+// Options that would have no effect.
+void refuse_ignored(const CLI::App& app, const RefineCommand& command) {
+  const bool has_max_edge = command.max_edge < std::numeric_limits<double>::max();
+  if (command.size_file.empty() && !has_max_edge) {
+    throw CLI::RequiredError("--max-edge or --size-file");
+  }
+  if (!command.regions.empty() && !has_max_edge) {
+    throw CLI::ValidationError("--in", "needs --max-edge, the size wanted there");
+  }
+  if (command.by == By::delaunay && app.count("--rule") > 0) {
+    throw CLI::ValidationError("--rule", "goes with --by bisect only");
+  }
+  if (command.by == By::bisect && app.count("--min-angle") > 0) {
+    throw CLI::ValidationError("--min-angle", "goes with --by delaunay only");
+  }
+}
+
 void add_options(CLI::App& refine, RefineCommand& command) {
   refine.add_option("--in", command.regions,
                     "a region: \"disc X Y R\", \"box X0 Y0 X1 Y1\" or \"polygon FILE\"; may be "
@@ -275,14 +292,14 @@ void add_refine_command(CLI::App& app, int& status) {
   refine.add_flag("--force", command->output.force, "overwrite the output");
   refine.add_flag("-q,--quiet", command->quiet, "no report on the terminal");
   refine.footer(
+      "Edges on curved boundaries are cut along their chords, for mesh files do not hold the\n"
+      "curves. For a finer curve, mesh the geometry anew: lepp mesh.\n\n"
       "Examples:\n"
       "  lepp refine plate.msh -o finer.msh --max-edge 0.02\n"
       "  lepp refine plate.msh -o finer.msh --in \"disc 0.3 0.4 0.1\" --max-edge 0.01\n"
       "  lepp refine plate.msh -o finer.msh --in \"box 0 0 1 0.2\" --max-edge 0.01 --by delaunay");
-  refine.callback([command, &status] {
-    if (command->size_file.empty() && !(command->max_edge < std::numeric_limits<double>::max())) {
-      throw CLI::RequiredError("--max-edge or --size-file");
-    }
+  refine.callback([command, &refine, &status] {
+    refuse_ignored(refine, *command);
     status = run(*command);
   });
 }

@@ -177,6 +177,23 @@ TEST_CASE("lepp refine by delaunay ends at the budget that the library sets for 
   CHECK(report["below_bound"]["budget"] > 0);
 }
 
+TEST_CASE("lepp refine refuses options that would have no effect") {
+  const ScratchFolder folder;
+  make_square(folder);
+  write(folder.path() / "s.txt", "0.5 0.5 0.1\n");
+  for (const std::string options :
+       {"--max-edge 0.5 --by delaunay --rule newest-vertex", "--max-edge 0.5 --min-angle 20",
+        "--size-file s.txt --in 'disc 0 0 1'"}) {
+    CAPTURE(options);
+    CHECK(run(folder.path(), "refine square.ele -o out.ele -q " + options).status == 1);
+  }
+}
+
+TEST_CASE("lepp refine says in its help that curves are cut along chords") {
+  CHECK(run(ScratchFolder().path(), "refine --help").out.find("along their chords") !=
+        std::string::npos);
+}
+
 TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {
   const ScratchFolder folder;
   make_start(folder);
