@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "adaptive.hpp"
 #include "commands.hpp"
@@ -99,6 +100,10 @@ LogLogPlot plot_of(const AdaptiveProblem& problem, const std::vector<AdaptiveSte
   return plot;
 }
 
+nlohmann::ordered_json json_of_rate(std::optional<double> rate) {
+  return rate ? nlohmann::ordered_json(*rate) : nlohmann::ordered_json(nullptr);
+}
+
 std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
   nlohmann::ordered_json report{{"schema_version", 1},
                                 {"problem", line.adapt},
@@ -118,8 +123,8 @@ std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& st
                                {"iterations", step.iterations},
                                {"solve_seconds", step.solve_seconds}});
   }
-  report["rates"] = {{"error", observed_rate(steps, &AdaptiveStep::error)},
-                     {"estimate", observed_rate(steps, &AdaptiveStep::estimate)}};
+  report["rates"] = {{"error", json_of_rate(observed_rate(steps, &AdaptiveStep::error))},
+                     {"estimate", json_of_rate(observed_rate(steps, &AdaptiveStep::estimate))}};
   return report.dump(2) + "\n";
 }
 
@@ -152,9 +157,14 @@ ExitStatus run_adapt(const CommandLine& line) {
     if (steps.back().unknowns < line.max_unknowns) {
       fmt::print("stopped: no marked triangle can be made smaller\n");
     }
-    fmt::print("over the last tenfold of unknowns: error ~ unknowns^-{:.3f}, estimate ^-{:.3f}\n",
-               observed_rate(steps, &AdaptiveStep::error),
-               observed_rate(steps, &AdaptiveStep::estimate));
+    const auto error = observed_rate(steps, &AdaptiveStep::error);
+    const auto estimate = observed_rate(steps, &AdaptiveStep::estimate);
+    if (error && estimate) {
+      fmt::print("over the last tenfold of unknowns: error ~ unknowns^-{:.3f}, estimate ^-{:.3f}\n",
+                 *error, *estimate);
+    } else {
+      fmt::print("not enough steps to tell a rate\n");
+    }
   }
   if (writes) {
     write_series(folder / "series.pvd", number);

@@ -1,6 +1,8 @@
 #include "adaptive.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "adaptive_scheme.hpp"
@@ -45,17 +47,21 @@ std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
   }
 }
 
-double observed_rate(const std::vector<AdaptiveStep>& steps, double AdaptiveStep::*quantity) {
+std::optional<double> observed_rate(const std::vector<AdaptiveStep>& steps,
+                                    double AdaptiveStep::*quantity) {
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
   double n = 0, x_sum = 0, y_sum = 0, xx = 0, xy = 0;
   for (const AdaptiveStep& step : steps) {
     if (10 * step.unknowns < steps.back().unknowns || step.unknowns == 0) continue;
     const double x = std::log(static_cast<double>(step.unknowns)), y = std::log(step.*quantity);
+    fewest = std::min(fewest, step.unknowns);
     n += 1;
     x_sum += x;
     y_sum += y;
     xx += x * x;
     xy += x * y;
   }
+  if (n == 0 || fewest >= steps.back().unknowns) return std::nullopt;
   return -(n * xy - x_sum * y_sum) / (n * xx - x_sum * x_sum);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "adaptive_problems.hpp"
@@ -51,7 +52,8 @@ std::vector<AdaptiveStep> run_adaptive(const AdaptiveProblem& problem,
                                        const AdaptiveStepDone& step_done = {});
 
 /// The exponent r of error ~ unknowns^-r: least squares over the steps with at least a tenth of the
-/// last one's unknowns, in logarithms.
-double observed_rate(const std::vector<AdaptiveStep>& steps, double AdaptiveStep::*quantity);
+/// last one's unknowns, in logarithms. Nothing if these steps have only one number of unknowns.
+std::optional<double> observed_rate(const std::vector<AdaptiveStep>& steps,
+                                    double AdaptiveStep::*quantity);
 
 }  // namespace lepp::demo

@@ -21,7 +21,31 @@ double error_at(const std::vector<AdaptiveStep>& steps, double vertices) {
   return std::exp((1 - part) * std::log(steps[i - 1].error) + part * std::log(steps[i].error));
 }
 
+double rate(const std::vector<AdaptiveStep>& steps, double AdaptiveStep::*quantity) {
+  const auto observed = observed_rate(steps, quantity);
+  REQUIRE(observed);
+  return *observed;
+}
+
 }  // namespace
+
+TEST_CASE("a rate needs two numbers of unknowns that are at most tenfold apart") {
+  std::vector<AdaptiveStep> steps;
+  CHECK_FALSE(observed_rate(steps, &AdaptiveStep::error));
+  const auto add = [&](std::size_t unknowns, double error) {
+    steps.emplace_back();
+    steps.back().unknowns = unknowns;
+    steps.back().error = error;
+  };
+  add(0, 3);
+  CHECK_FALSE(observed_rate(steps, &AdaptiveStep::error));
+  add(3, 2);
+  CHECK_FALSE(observed_rate(steps, &AdaptiveStep::error));
+  add(100, 2);
+  CHECK_FALSE(observed_rate(steps, &AdaptiveStep::error));
+  add(400, 1);
+  CHECK(rate(steps, &AdaptiveStep::error) == doctest::Approx(0.5));
+}
 
 // Figures of another program for the same loop, which integrates by the centroids of 16 parts:
 // 8.07e-3 at 10701 vertices and 4.58e-3 at 32682, and 2.401e-2 at 24833 on uniform meshes.
@@ -32,7 +56,7 @@ TEST_CASE("L-shape: known errors are met, at rates -1/2 and, uniformly, -1/3") {
   const auto adaptive = run_adaptive(l_shape(), options);
   CHECK(error_at(adaptive, 10701) == doctest::Approx(8.07e-3).epsilon(0.001));
   CHECK(error_at(adaptive, 32682) == doctest::Approx(4.58e-3).epsilon(0.001));
-  CHECK(observed_rate(adaptive, &AdaptiveStep::error) == doctest::Approx(0.5).epsilon(0.013));
+  CHECK(rate(adaptive, &AdaptiveStep::error) == doctest::Approx(0.5).epsilon(0.013));
   for (const AdaptiveStep& step : adaptive) CHECK(step.min_angle_deg > 44.99);
 
   options.theta = 1;
@@ -40,12 +64,12 @@ TEST_CASE("L-shape: known errors are met, at rates -1/2 and, uniformly, -1/3") {
   const auto uniform = run_adaptive(l_shape(), options);
   CHECK(uniform.back().vertices == 24833);
   CHECK(uniform.back().error == doctest::Approx(2.401e-2).epsilon(0.001));
-  CHECK(observed_rate(uniform, &AdaptiveStep::error) == doctest::Approx(1.0 / 3).epsilon(0.015));
+  CHECK(rate(uniform, &AdaptiveStep::error) == doctest::Approx(1.0 / 3).epsilon(0.015));
 
   options.error_quadrature = ErrorQuadrature::graded;  // the true error is larger by 5.5 %
   const auto truly = run_adaptive(l_shape(), options);
   CHECK(truly.back().error == doctest::Approx(2.533e-2).epsilon(0.001));
-  CHECK(observed_rate(truly, &AdaptiveStep::error) == doctest::Approx(1.0 / 3).epsilon(0.015));
+  CHECK(rate(truly, &AdaptiveStep::error) == doctest::Approx(1.0 / 3).epsilon(0.015));
 }
 
 TEST_CASE("both estimators lead to the best rate where the difficulty is local") {
@@ -56,7 +80,7 @@ TEST_CASE("both estimators lead to the best rate where the difficulty is local")
       options.estimator = estimator;
       options.max_unknowns = 10000;
       const auto steps = run_adaptive(adaptive_problem(name), options);
-      CHECK(observed_rate(steps, &AdaptiveStep::error) > 0.48);
+      CHECK(rate(steps, &AdaptiveStep::error) > 0.48);
       const double quotient = steps.back().estimate / steps.back().error;
       if (estimator == Estimator::zz) CHECK(quotient == doctest::Approx(1).epsilon(0.02));
       else CHECK((quotient > 1 && quotient < 7));
@@ -70,8 +94,8 @@ TEST_CASE("checkerboard: the loop refines towards the point where materials meet
   const auto adaptive = run_adaptive(kellogg(), options);
   options.theta = 1;
   const auto uniform = run_adaptive(kellogg(), options);
-  CHECK(observed_rate(uniform, &AdaptiveStep::error) < 0.1);  // tends to gamma / 2
-  CHECK(observed_rate(adaptive, &AdaptiveStep::error) > 0.38);
+  CHECK(rate(uniform, &AdaptiveStep::error) < 0.1);  // tends to gamma / 2
+  CHECK(rate(adaptive, &AdaptiveStep::error) > 0.38);
   CHECK(adaptive.back().error < 0.25 * uniform.back().error);
   CHECK(adaptive.back().iterations <= 6);
 }
@@ -92,7 +116,7 @@ TEST_CASE("by delaunay: every mesh is admissible, and the error falls as fast") 
           CHECK(static_cast<std::size_t>(u.size()) == mesh.vertex_count());
         });
     CHECK(steps.size() > 10);
-    CHECK(observed_rate(steps, &AdaptiveStep::error) > (name == "kellogg" ? 0.35 : 0.48));
+    CHECK(rate(steps, &AdaptiveStep::error) > (name == "kellogg" ? 0.35 : 0.48));
   }
 }
 

@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "lepp/io/poly.hpp"
@@ -35,6 +37,9 @@ class Folder {
     return WEXITSTATUS(std::system(command.c_str()));
   }
   bool has(const std::string& file) const { return fs::is_regular_file(path_ / file); }
+  nlohmann::json json(const std::string& file) const {
+    return nlohmann::json::parse(std::ifstream(path_ / file));
+  }
 
  private:
   fs::path path_;
@@ -72,6 +77,8 @@ TEST_CASE("lepp-poisson --adapt: the files of a series appear in the folder, onc
   CHECK(folder.run("--adapt peak --max-unknowns 20 --estimator zz --theta 1 --solver direct") == 0);
   CHECK(folder.run("--adapt front --by delaunay --max-unknowns 500 -o boxes") == 0);
   CHECK(folder.has("boxes/series.pvd"));
+  CHECK(folder.run("--adapt peak --max-unknowns 1 --json one.json") == 0);  // one step, no rate
+  CHECK(folder.json("one.json")["rates"]["error"].is_null());
   CHECK(folder.run("--adapt t-shape") == 1);
   CHECK(folder.run("--adapt peak --max-unknowns 20 --error-quadrature centroids") == 0);
   CHECK(folder.run("--adapt peak --error-quadrature exact") == 1);
