@@ -104,7 +104,9 @@ nlohmann::ordered_json json_of_rate(std::optional<double> rate) {
   return rate ? nlohmann::ordered_json(*rate) : nlohmann::ordered_json(nullptr);
 }
 
-std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
+/// \param failure  what ended the loop, if it did not end well
+std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& steps,
+                    const std::string& failure) {
   nlohmann::ordered_json report{{"schema_version", 1},
                                 {"problem", line.adapt},
                                 {"by", line.by},
@@ -125,6 +127,7 @@ std::string json_of(const CommandLine& line, const std::vector<AdaptiveStep>& st
   }
   report["rates"] = {{"error", json_of_rate(observed_rate(steps, &AdaptiveStep::error))},
                      {"estimate", json_of_rate(observed_rate(steps, &AdaptiveStep::estimate))}};
+  if (!failure.empty()) report["failure"] = failure;
   return report.dump(2) + "\n";
 }
 
@@ -136,45 +139,89 @@ void check_folder(const fs::path& folder, bool overwrite) {
   }
 }
 
+/// What the loop leaves behind. The series grows with each step, so that hours of work can be
+/// looked at however the loop ends.
+class Outputs {
+ public:
+  Outputs(const CommandLine& line, const AdaptiveProblem& problem)
+      : line_(line), problem_(problem), talks_(line.json != "-"), writes_(!line.output.empty()) {
+    if (!writes_) return;
+    check_folder(line.output, line.force);
+    folder_ = make_folder(line.output);
+  }
+
+  bool talks() const { return talks_; }
+  const std::vector<AdaptiveStep>& steps() const { return steps_; }
+
+  void add(const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u,
+           const std::vector<double>& indicators) {
+    if (talks_) print_row(steps_.size(), step);
+    if (writes_) {
+      write_step(folder_, steps_.size(), problem_, mesh, u, indicators);
+      write_series(folder_ / "series.pvd", steps_.size() + 1);
+    }
+    steps_.push_back(step);
+  }
+
+  void write_summary(const std::string& failure) const {
+    if (writes_) {
+      write_plot(plot_of(problem_, steps_, line_.theta >= 1), folder_ / "errors.svg");
+      if (talks_) {
+        fmt::print("wrote {} and {}\n", (folder_ / "series.pvd").string(),
+                   (folder_ / "errors.svg").string());
+      }
+    }
+    if (!line_.json.empty()) write_json(line_.json, json_of(line_, steps_, failure));
+  }
+
+ private:
+  const CommandLine& line_;
+  const AdaptiveProblem& problem_;
+  bool talks_, writes_;
+  fs::path folder_;
+  std::vector<AdaptiveStep> steps_;
+};
+
+void print_rates(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
+  if (steps.back().unknowns < line.max_unknowns) {
+    fmt::print("stopped: no marked triangle can be made smaller\n");
+  }
+  const auto error = observed_rate(steps, &AdaptiveStep::error);
+  const auto estimate = observed_rate(steps, &AdaptiveStep::estimate);
+  if (error && estimate) {
+    fmt::print("over the last tenfold of unknowns: error ~ unknowns^-{:.3f}, estimate ^-{:.3f}\n",
+               *error, *estimate);
+  } else {
+    fmt::print("not enough steps to tell a rate\n");
+  }
+}
+
+/// The first error is the one to tell of, whatever becomes of what is saved.
+void save_what_there_is(const Outputs& outputs, const Error& error) {
+  if (outputs.steps().empty()) return;
+  try {
+    outputs.write_summary(error.what());
+  } catch (const OutputError&) {
+  }
+}
+
 }  // namespace
 
 ExitStatus run_adapt(const CommandLine& line) {
-  const bool talks = line.json != "-", writes = !line.output.empty();
   const AdaptiveProblem problem = adaptive_problem(line.adapt);
-  if (writes) check_folder(line.output, line.force);
-  const fs::path folder = writes ? make_folder(line.output) : fs::path();
-  if (talks) print_head(line, problem);
-  std::size_t number = 0;
-  const std::vector<AdaptiveStep> steps =
-      run_adaptive(problem, options_of(line),
-                   [&](const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u,
-                       const std::vector<double>& indicators) {
-                     if (talks) print_row(number, step);
-                     if (writes) write_step(folder, number, problem, mesh, u, indicators);
-                     ++number;
-                   });
-  if (talks) {
-    if (steps.back().unknowns < line.max_unknowns) {
-      fmt::print("stopped: no marked triangle can be made smaller\n");
-    }
-    const auto error = observed_rate(steps, &AdaptiveStep::error);
-    const auto estimate = observed_rate(steps, &AdaptiveStep::estimate);
-    if (error && estimate) {
-      fmt::print("over the last tenfold of unknowns: error ~ unknowns^-{:.3f}, estimate ^-{:.3f}\n",
-                 *error, *estimate);
-    } else {
-      fmt::print("not enough steps to tell a rate\n");
-    }
+  Outputs outputs(line, problem);
+  if (outputs.talks()) print_head(line, problem);
+  try {
+    run_adaptive(
+        problem, options_of(line),
+        [&](const AdaptiveStep& step, const Mesh& mesh, const Eigen::VectorXd& u,
+            const std::vector<double>& indicators) { outputs.add(step, mesh, u, indicators); });
+  } catch (const Error& error) {
+    save_what_there_is(outputs, error);
+    throw;
   }
-  if (writes) {
-    write_series(folder / "series.pvd", number);
-    write_plot(plot_of(problem, steps, line.theta >= 1), folder / "errors.svg");
-    if (talks) {
-      fmt::print("wrote {} and {}\n", (folder / "series.pvd").string(),
-                 (folder / "errors.svg").string());
-    }
-  }
-  if (!line.json.empty()) write_json(line.json, json_of(line, steps));
+  if (outputs.talks()) print_rates(line, outputs.steps());
+  outputs.write_summary("");
   return done;
 }
 

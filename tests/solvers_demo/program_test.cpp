@@ -37,6 +37,7 @@ class Folder {
     return WEXITSTATUS(std::system(command.c_str()));
   }
   bool has(const std::string& file) const { return fs::is_regular_file(path_ / file); }
+  void make_folder(const std::string& name) const { fs::create_directories(path_ / name); }
   nlohmann::json json(const std::string& file) const {
     return nlohmann::json::parse(std::ifstream(path_ / file));
   }
@@ -84,4 +85,17 @@ TEST_CASE("lepp-poisson --adapt: the files of a series appear in the folder, onc
   CHECK(folder.run("--adapt peak --error-quadrature exact") == 1);
   CHECK(folder.run("--adapt peak --theta 0") == 1);
   CHECK(folder.run("plate.ele --theta 0.5 --dirichlet 4=0") == 1);
+}
+
+TEST_CASE("lepp-poisson --adapt: an error in a late step leaves what the steps before have made") {
+  const Folder folder;
+  folder.make_folder("out/step_003.vtu");  // which the program cannot write then
+  CHECK(folder.run("--adapt l-shape --max-unknowns 100 -o out --json report.json") == 5);
+  for (const std::string name : {"series.pvd", "errors.svg", "step_002.vtu"}) {
+    CAPTURE(name);
+    CHECK(folder.has("out/" + name));
+  }
+  const auto report = folder.json("report.json");
+  CHECK(report["steps"].size() == 3);
+  CHECK(report.contains("failure"));
 }
