@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
 #include <exception>
 
@@ -32,6 +33,20 @@ struct Choice {
 };
 
 CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
+/// CLI::Range lets nan pass.
+CLI::Validator number_from(double least, double most) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const char* end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, value);
+            const bool fits =
+                read.ec == std::errc() && read.ptr == end && value >= least && value <= most;
+            return fits ? std::string()
+                        : fmt::format("'{}' is no number from {} to {}", text, least, most);
+          },
+          fmt::format("FLOAT in [{} - {}]", least, most)};
+}
+
   auto* adapt = app.add_option("--adapt", line.adapt,
                                "solve, estimate, mark and bisect on one of these problems; -o "
                                "names a folder for a diagram and a series of .vtu files")
@@ -50,7 +65,7 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
   app.add_option("--theta", line.theta,
                  "mark the fewest triangles with this part of the sum of eta^2; 1: all")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 1.0))
+      ->check(number_from(0.01, 1))
       ->needs(adapt);
   app.add_option("--max-unknowns", line.max_unknowns, "the first mesh with as many is the last")
       ->capture_default_str()

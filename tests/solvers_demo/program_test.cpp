@@ -83,7 +83,9 @@ TEST_CASE("lepp-poisson --adapt: the files of a series appear in the folder, onc
   CHECK(folder.run("--adapt t-shape") == 1);
   CHECK(folder.run("--adapt peak --max-unknowns 20 --error-quadrature centroids") == 0);
   CHECK(folder.run("--adapt peak --error-quadrature exact") == 1);
-  CHECK(folder.run("--adapt peak --theta 0") == 1);
+  for (const std::string theta : {"0", "nan", "1.01", "half"}) {
+    CHECK(folder.run("--adapt peak --theta " + theta) == 1);
+  }
   CHECK(folder.run("plate.ele --theta 0.5 --dirichlet 4=0") == 1);
 }
 
