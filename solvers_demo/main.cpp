@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 
 #include "adaptive_problems.hpp"
@@ -137,6 +138,13 @@ ExitStatus run(const CommandLine& line, const Choice& choice) {
   if (!line.adapt.empty()) return run_adapt(line);
   return run_solve(line);
 }
+ExitStatus tell_lost_output() {
+  fmt::print(stderr,
+             "lepp-poisson: standard output could not be written: look where it is sent "
+             "to\n");
+  return not_written;
+}
+
 
 }  // namespace
 }  // namespace lepp::demo
@@ -166,7 +174,9 @@ int main(int argc, char** argv) {
       return our_bug;
     }
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes an error of the writer
-    return run(line, choice);
+    const ExitStatus status = run(line, choice);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return tell_lost_output();
+    return status;
   } catch (const lepp::Error& error) {
     fmt::print(stderr, "lepp-poisson: {}\n", error.what());
     return status_of(error.kind());
@@ -175,3 +185,4 @@ int main(int argc, char** argv) {
     return our_bug;
   }
 }
+    if (std::ferror(stdout) != 0) return tell_lost_output();  // fmt throws an error of its own

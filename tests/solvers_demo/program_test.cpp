@@ -101,3 +101,13 @@ TEST_CASE("lepp-poisson --adapt: an error in a late step leaves what the steps b
   CHECK(report["steps"].size() == 3);
   CHECK(report.contains("failure"));
 }
+
+TEST_CASE("lepp-poisson: output that is lost is an error") {
+  const Folder folder;
+  for (const std::string options :
+       {"--adapt l-shape --max-unknowns 100", "--adapt l-shape --max-unknowns 100 --json -",
+        "plate.ele --dirichlet 4=0", "plate.ele --dirichlet 4=0 --json -"}) {
+    CAPTURE(options);
+    CHECK(folder.run(options + " > /dev/full 2>/dev/null #") == 5);
+  }
+}
