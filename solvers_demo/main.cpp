@@ -33,7 +33,6 @@ struct Choice {
   bool convergence = false, maximum_principle = false;
 };
 
-CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
 /// CLI::Range lets nan pass.
 CLI::Validator number_from(double least, double most) {
   return {[=](const std::string& text) {
@@ -48,6 +47,7 @@ CLI::Validator number_from(double least, double most) {
           fmt::format("FLOAT in [{} - {}]", least, most)};
 }
 
+CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
   auto* adapt = app.add_option("--adapt", line.adapt,
                                "solve, estimate, mark and bisect on one of these problems; -o "
                                "names a folder for a diagram and a series of .vtu files")
@@ -89,35 +89,41 @@ CLI::Validator number_from(double least, double most) {
 void describe(CLI::App& app, CommandLine& line, Choice& choice) {
   app.footer(examples);
   auto* mesh = app.add_option("mesh", line.mesh, "the mesh, .msh or .ele");
-  app.add_option("--method", line.method, "fe: P1 elements; fv: Voronoi boxes")
-      ->default_val("fe")
-      ->check(CLI::IsMember({"fe", "fv"}));
+  std::vector<CLI::Option*> of_a_mesh;  // without effect on the problems of the program's own
+  of_a_mesh.push_back(app.add_option("--method", line.method, "fe: P1 elements; fv: Voronoi boxes")
+                          ->default_val("fe")
+                          ->check(CLI::IsMember({"fe", "fv"})));
   const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* shape,
                             const char* what) {
-    app.add_option(name, values, what)
-        ->type_name(shape)
-        ->take_all()
-        ->allow_extra_args(false);  // GROUP=VALUE once per option
+    of_a_mesh.push_back(app.add_option(name, values, what)
+                            ->type_name(shape)
+                            ->take_all()
+                            ->allow_extra_args(false));  // GROUP=VALUE once per option
   };
   repeated("--diffusion", line.groups.diffusion, "GROUP=D", "D in a surface group (1 if none)");
   repeated("--source", line.groups.source, "GROUP=F", "f in a surface group");
   repeated("--dirichlet", line.groups.dirichlet, "GROUP=V", "u = V on a curve or point group");
   repeated("--neumann", line.groups.neumann, "GROUP=G", "D du/dn = G on a curve group");
   repeated("--robin", line.groups.robin, "GROUP=ALPHA,V", "D du/dn = ALPHA (V - u)");
-  app.add_option("-o,--output", line.output, "write the solution as .vtu");
+  auto* output = app.add_option("-o,--output", line.output, "write the solution as .vtu");
   app.add_option("--json", line.json, "write a report for machines; - is the standard output");
   app.add_flag("--force", line.force, "overwrite the solution of an earlier run");
-  app.add_flag("--allow-inadmissible", line.allow_inadmissible,
-               "finite volumes on any mesh: the solution may be wrong");
+  of_a_mesh.push_back(app.add_flag("--allow-inadmissible", line.allow_inadmissible,
+                                   "finite volumes on any mesh: the solution may be wrong"));
   auto* convergence = app.add_flag("--convergence", choice.convergence,
                                    "measure the orders of both methods on six meshes");
   auto* principle = app.add_flag("--maximum-principle", choice.maximum_principle,
                                  "show what obtuse angles at the boundary do");
-  app.add_option("--folder", line.folder, "where these two write their files");
+  auto* folder = app.add_option("--folder", line.folder, "where these two write their files");
   auto* adapt = describe_adapt(app, line);
   convergence->excludes(mesh)->excludes(principle)->excludes(adapt);
   principle->excludes(mesh)->excludes(adapt);
   adapt->excludes(mesh);
+  for (CLI::Option* option : of_a_mesh) {
+    for (CLI::Option* other : {convergence, principle, adapt}) other->excludes(option);
+  }
+  for (CLI::Option* other : {convergence, principle}) other->excludes(output);
+  for (CLI::Option* other : {mesh, adapt}) other->excludes(folder);
 }
 
 ExitStatus status_of(ErrorKind kind) {
@@ -132,12 +138,6 @@ ExitStatus status_of(ErrorKind kind) {
   return our_bug;
 }
 
-ExitStatus run(const CommandLine& line, const Choice& choice) {
-  if (choice.convergence) return run_convergence_study(line);
-  if (choice.maximum_principle) return run_maximum_principle(line);
-  if (!line.adapt.empty()) return run_adapt(line);
-  return run_solve(line);
-}
 ExitStatus tell_lost_output() {
   fmt::print(stderr,
              "lepp-poisson: standard output could not be written: look where it is sent "
@@ -145,6 +145,12 @@ ExitStatus tell_lost_output() {
   return not_written;
 }
 
+ExitStatus run(const CommandLine& line, const Choice& choice) {
+  if (choice.convergence) return run_convergence_study(line);
+  if (choice.maximum_principle) return run_maximum_principle(line);
+  if (!line.adapt.empty()) return run_adapt(line);
+  return run_solve(line);
+}
 
 }  // namespace
 }  // namespace lepp::demo
@@ -181,8 +187,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "lepp-poisson: {}\n", error.what());
     return status_of(error.kind());
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return tell_lost_output();  // fmt throws an error of its own
     fmt::print(stderr, "lepp-poisson: internal error: {}\n", error.what());
     return our_bug;
   }
 }
-    if (std::ferror(stdout) != 0) return tell_lost_output();  // fmt throws an error of its own

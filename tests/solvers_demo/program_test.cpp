@@ -111,3 +111,18 @@ TEST_CASE("lepp-poisson: output that is lost is an error") {
     CHECK(folder.run(options + " > /dev/full 2>/dev/null #") == 5);
   }
 }
+
+TEST_CASE("lepp-poisson refuses options that would have no effect") {
+  const Folder folder;
+  for (const std::string option : {"--method fv", "--diffusion 4=2", "--dirichlet 4=0",
+                                   "--allow-inadmissible", "--source 4=1"}) {
+    for (const std::string problem :
+         {"--adapt l-shape --max-unknowns 20 ", "--convergence ", "--maximum-principle "}) {
+      CAPTURE(option);
+      CHECK(folder.run(problem + option) == 1);
+    }
+  }
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 --folder out") == 1);
+  CHECK(folder.run("plate.ele --dirichlet 4=0 --folder out") == 1);
+  CHECK(folder.run("--maximum-principle -o out.vtu") == 1);
+}
