@@ -183,7 +183,7 @@ class Outputs {
 };
 
 void print_rates(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
-  if (steps.back().unknowns < line.max_unknowns) {
+  if (has_ended_early(line, steps)) {
     fmt::print("stopped: no marked triangle can be made smaller\n");
   }
   const auto error = observed_rate(steps, &AdaptiveStep::error);
@@ -203,6 +203,10 @@ void save_what_there_is(const Outputs& outputs, const Error& error) {
     outputs.write_summary(error.what());
   } catch (const OutputError&) {
   }
+bool has_ended_early(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
+  return steps.back().unknowns < line.max_unknowns;
+}
+
 }
 
 }  // namespace
@@ -222,7 +226,7 @@ ExitStatus run_adapt(const CommandLine& line) {
   }
   if (outputs.talks()) print_rates(line, outputs.steps());
   outputs.write_summary("");
-  return done;
+  return has_ended_early(line, outputs.steps()) ? goal_missed : done;
 }
 
 }  // namespace lepp::demo

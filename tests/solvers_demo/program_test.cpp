@@ -126,3 +126,10 @@ TEST_CASE("lepp-poisson refuses options that would have no effect") {
   CHECK(folder.run("plate.ele --dirichlet 4=0 --folder out") == 1);
   CHECK(folder.run("--maximum-principle -o out.vtu") == 1);
 }
+
+TEST_CASE("lepp-poisson --adapt: a loop that ends before --max-unknowns has missed its goal") {
+  const Folder folder;
+  CHECK(folder.run("--adapt kellogg --by delaunay --estimator zz --theta 0.01 --max-unknowns 3000 "
+                   "--json report.json") == 3);
+  CHECK(folder.json("report.json")["steps"].back()["unknowns"] < 3000);
+}
