@@ -102,14 +102,27 @@ TEST_CASE("lepp-poisson --adapt: an error in a late step leaves what the steps b
   CHECK(report.contains("failure"));
 }
 
-TEST_CASE("lepp-poisson: output that is lost is an error") {
+TEST_CASE("lepp-poisson --adapt: --force leaves no step of an earlier, longer series") {
   const Folder folder;
-  for (const std::string options :
-       {"--adapt l-shape --max-unknowns 100", "--adapt l-shape --max-unknowns 100 --json -",
-        "plate.ele --dirichlet 4=0", "plate.ele --dirichlet 4=0 --json -"}) {
-    CAPTURE(options);
-    CHECK(folder.run(options + " > /dev/full 2>/dev/null #") == 5);
+  CHECK(folder.run("--adapt l-shape --max-unknowns 100 -o out") == 0);
+  CHECK(folder.has("out/step_009.vtu"));
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --force --json short.json") == 0);
+  const std::size_t steps = folder.json("short.json")["steps"].size();
+  CHECK(steps < 9);
+  CHECK(folder.has("out/step_00" + std::to_string(steps - 1) + ".vtu"));
+  CHECK_FALSE(folder.has("out/step_00" + std::to_string(steps) + ".vtu"));
+  CHECK_FALSE(folder.has("out/step_009.vtu"));
+}
+
+TEST_CASE("lepp-poisson: the report replaces no other output of the run") {
+  const Folder folder;
+  for (const std::string json :
+       {"out/errors.svg", "out/../out/series.pvd", "./out/step_000.vtu", "out"}) {
+    CAPTURE(json);
+    CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --force --json " + json) == 5);
   }
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --json out/report.json") == 0);
+  CHECK(folder.run("plate.ele --dirichlet 4=0 -o u.vtu --json u.vtu") == 5);
 }
 
 TEST_CASE("lepp-poisson refuses options that would have no effect") {
@@ -125,6 +138,16 @@ TEST_CASE("lepp-poisson refuses options that would have no effect") {
   CHECK(folder.run("--adapt l-shape --max-unknowns 20 --folder out") == 1);
   CHECK(folder.run("plate.ele --dirichlet 4=0 --folder out") == 1);
   CHECK(folder.run("--maximum-principle -o out.vtu") == 1);
+}
+
+TEST_CASE("lepp-poisson: output that is lost is an error") {
+  const Folder folder;
+  for (const std::string options :
+       {"--adapt l-shape --max-unknowns 100", "--adapt l-shape --max-unknowns 100 --json -",
+        "plate.ele --dirichlet 4=0", "plate.ele --dirichlet 4=0 --json -"}) {
+    CAPTURE(options);
+    CHECK(folder.run(options + " > /dev/full 2>/dev/null #") == 5);
+  }
 }
 
 TEST_CASE("lepp-poisson --adapt: a loop that ends before --max-unknowns has missed its goal") {
