@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "lepp/bisection/transfer_matrix.hpp"
@@ -224,4 +225,40 @@ TEST_CASE("a call that changes nothing is the identity") {
   CHECK(values == std::vector<double>{1, 2, 3, 4});
   CHECK(times(injection(done, 4), values) == values);
   CHECK(times(prolongation({}, 4), values) == values);
+}
+
+TEST_CASE("through coarsening the caller says what two values make: amounts, vectors, sets") {
+  for_random_forests([](Forest& forest, Random& random) {
+    std::vector<double> amounts = areas_of(forest.mesh()), sums = amounts;
+    std::vector<std::vector<std::uint32_t>> lists(amounts.size());
+    std::vector<bool> marks(amounts.size());
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      lists[i] = {static_cast<std::uint32_t>(i)};
+      marks[i] = random.one_in(4);
+    }
+    const std::vector<bool> marks_before = marks;
+    const Coarsening coarsening = forest.coarsen(some_triangles(forest.mesh(), random, 1));
+    transfer_triangles(coarsening, amounts, std::plus<>());
+    CHECK(largest_difference(amounts, areas_of(forest.mesh())) < 1e-12);
+    transfer_triangles(coarsening, lists, [](auto a, const auto& b) {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    });
+    transfer_triangles(coarsening, marks, std::logical_or<bool>());
+    REQUIRE(lists.size() == forest.mesh().triangle_count());
+    REQUIRE(marks.size() == lists.size());
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      double sum = 0;
+      bool marked = false;
+      for (const std::uint32_t old : lists[i]) {
+        sum += sums[old];
+        marked = marked || marks_before[old];
+      }
+      CHECK(std::abs(sum - amounts[i]) < 1e-12);
+      CHECK(marks[i] == marked);
+      all += lists[i].size();
+    }
+    CHECK(all == sums.size());
+  });
 }
