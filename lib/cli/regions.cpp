@@ -15,15 +15,15 @@ namespace {
 PolygonArea read_polygon(const fs::path& path) {
   const TextFile file = read_text_file(path);
   LineReader line(file);
-  PolygonArea polygon;
+  std::vector<Point> corners;
   while (line.next()) {
     line.expect_fields(2, 2, "x y");
-    polygon.corners.push_back({line.coordinate(0, "x"), line.coordinate(1, "y")});
+    corners.push_back({line.coordinate(0, "x"), line.coordinate(1, "y")});
   }
-  if (polygon.corners.size() < 3) {
+  if (corners.size() < 3) {
     throw InputError(file.name, "holds fewer than three corners", "write a line 'x y' for each");
   }
-  return polygon;
+  return corners;
 }
 
 constexpr std::string_view blanks = " \t\r\n";
