@@ -82,7 +82,8 @@ class Forest {
 
   /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
   /// vertex has only marked triangles around it, all made when it was. Roots stay. Called with all
-  /// triangles until nothing changes, it brings the mesh of the start back, every id included.
+  /// triangles until nothing changes, it brings the mesh of the start back, every id included;
+  /// only Mesh::leaving() of a vertex where parts of the domain touch may start another fan there.
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
   /// Cost  O(marked)
   Coarsening coarsen(std::span<const TriangleId> marked);
