@@ -139,6 +139,25 @@ void check_folder(const fs::path& folder, bool overwrite) {
   }
 }
 
+/// Of an earlier series that had more steps.
+void remove_steps_from(std::size_t number, const fs::path& folder) {
+  std::error_code error;  // none left: false
+  const auto is_there = [&] { return fs::is_regular_file(folder / file_of_step(number), error); };
+  while (is_there() && fs::remove(folder / file_of_step(number), error)) ++number;
+}
+
+/// A report that would replace a file of the series is refused before any work is done.
+void check_report(const std::string& json, const fs::path& folder) {
+  if (json.empty() || json == "-") return;
+  const fs::path report = fs::absolute(json);
+  const std::string name = report.filename().string();
+  const bool is_ours = name == "series.pvd" || name == "errors.svg" ||
+                       (name.starts_with("step_") && name.ends_with(".vtu"));
+  if (is_same_place(report, folder) || (is_ours && is_same_place(report.parent_path(), folder))) {
+    throw OutputError(json, "is named for two outputs", "give --json another name");
+  }
+}
+
 /// What the loop leaves behind. The series grows with each step, so that hours of work can be
 /// looked at however the loop ends.
 class Outputs {
@@ -147,6 +166,7 @@ class Outputs {
       : line_(line), problem_(problem), talks_(line.json != "-"), writes_(!line.output.empty()) {
     if (!writes_) return;
     check_folder(line.output, line.force);
+    check_report(line.json, line.output);
     folder_ = make_folder(line.output);
   }
 
@@ -165,6 +185,7 @@ class Outputs {
 
   void write_summary(const std::string& failure) const {
     if (writes_) {
+      remove_steps_from(steps_.size(), folder_);
       write_plot(plot_of(problem_, steps_, line_.theta >= 1), folder_ / "errors.svg");
       if (talks_) {
         fmt::print("wrote {} and {}\n", (folder_ / "series.pvd").string(),
@@ -182,8 +203,12 @@ class Outputs {
   std::vector<AdaptiveStep> steps_;
 };
 
+bool has_ended_early(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
+  return steps.back().unknowns < line.max_unknowns;
+}
+
 void print_rates(const CommandLine& line, const std::vector<AdaptiveStep>& steps) {
-  if (steps.back().unknowns < line.max_unknowns) {
+  if (has_ended_early(line, steps)) {
     fmt::print("stopped: no marked triangle can be made smaller\n");
   }
   const auto error = observed_rate(steps, &AdaptiveStep::error);
@@ -222,7 +247,7 @@ ExitStatus run_adapt(const CommandLine& line) {
   }
   if (outputs.talks()) print_rates(line, outputs.steps());
   outputs.write_summary("");
-  return done;
+  return has_ended_early(line, outputs.steps()) ? goal_missed : done;
 }
 
 }  // namespace lepp::demo

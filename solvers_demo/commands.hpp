@@ -55,6 +55,9 @@ ExitStatus run_adapt(const CommandLine& line);
 /// \throw OutputError
 void write_json(const std::string& where, const std::string& text);
 
+/// Whether two names, of files that need not exist, stand for one place.
+bool is_same_place(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Makes the folder if it is not there.
 /// \throw OutputError
 std::filesystem::path make_folder(const std::string& name);

@@ -1,7 +1,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 
 #include "adaptive_problems.hpp"
@@ -31,6 +33,20 @@ struct Choice {
   bool convergence = false, maximum_principle = false;
 };
 
+/// CLI::Range lets nan pass.
+CLI::Validator number_from(double least, double most) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const char* end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, value);
+            const bool fits =
+                read.ec == std::errc() && read.ptr == end && value >= least && value <= most;
+            return fits ? std::string()
+                        : fmt::format("'{}' is no number from {} to {}", text, least, most);
+          },
+          fmt::format("FLOAT in [{} - {}]", least, most)};
+}
+
 CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
   auto* adapt = app.add_option("--adapt", line.adapt,
                                "solve, estimate, mark and bisect on one of these problems; -o "
@@ -50,7 +66,7 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
   app.add_option("--theta", line.theta,
                  "mark the fewest triangles with this part of the sum of eta^2; 1: all")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 1.0))
+      ->check(number_from(0.01, 1))
       ->needs(adapt);
   app.add_option("--max-unknowns", line.max_unknowns, "the first mesh with as many is the last")
       ->capture_default_str()
@@ -73,35 +89,41 @@ CLI::Option* describe_adapt(CLI::App& app, CommandLine& line) {
 void describe(CLI::App& app, CommandLine& line, Choice& choice) {
   app.footer(examples);
   auto* mesh = app.add_option("mesh", line.mesh, "the mesh, .msh or .ele");
-  app.add_option("--method", line.method, "fe: P1 elements; fv: Voronoi boxes")
-      ->default_val("fe")
-      ->check(CLI::IsMember({"fe", "fv"}));
+  std::vector<CLI::Option*> of_a_mesh;  // without effect on the problems of the program's own
+  of_a_mesh.push_back(app.add_option("--method", line.method, "fe: P1 elements; fv: Voronoi boxes")
+                          ->default_val("fe")
+                          ->check(CLI::IsMember({"fe", "fv"})));
   const auto repeated = [&](const char* name, std::vector<std::string>& values, const char* shape,
                             const char* what) {
-    app.add_option(name, values, what)
-        ->type_name(shape)
-        ->take_all()
-        ->allow_extra_args(false);  // GROUP=VALUE once per option
+    of_a_mesh.push_back(app.add_option(name, values, what)
+                            ->type_name(shape)
+                            ->take_all()
+                            ->allow_extra_args(false));  // GROUP=VALUE once per option
   };
   repeated("--diffusion", line.groups.diffusion, "GROUP=D", "D in a surface group (1 if none)");
   repeated("--source", line.groups.source, "GROUP=F", "f in a surface group");
   repeated("--dirichlet", line.groups.dirichlet, "GROUP=V", "u = V on a curve or point group");
   repeated("--neumann", line.groups.neumann, "GROUP=G", "D du/dn = G on a curve group");
   repeated("--robin", line.groups.robin, "GROUP=ALPHA,V", "D du/dn = ALPHA (V - u)");
-  app.add_option("-o,--output", line.output, "write the solution as .vtu");
+  auto* output = app.add_option("-o,--output", line.output, "write the solution as .vtu");
   app.add_option("--json", line.json, "write a report for machines; - is the standard output");
   app.add_flag("--force", line.force, "overwrite the solution of an earlier run");
-  app.add_flag("--allow-inadmissible", line.allow_inadmissible,
-               "finite volumes on any mesh: the solution may be wrong");
+  of_a_mesh.push_back(app.add_flag("--allow-inadmissible", line.allow_inadmissible,
+                                   "finite volumes on any mesh: the solution may be wrong"));
   auto* convergence = app.add_flag("--convergence", choice.convergence,
                                    "measure the orders of both methods on six meshes");
   auto* principle = app.add_flag("--maximum-principle", choice.maximum_principle,
                                  "show what obtuse angles at the boundary do");
-  app.add_option("--folder", line.folder, "where these two write their files");
+  auto* folder = app.add_option("--folder", line.folder, "where these two write their files");
   auto* adapt = describe_adapt(app, line);
   convergence->excludes(mesh)->excludes(principle)->excludes(adapt);
   principle->excludes(mesh)->excludes(adapt);
   adapt->excludes(mesh);
+  for (CLI::Option* option : of_a_mesh) {
+    for (CLI::Option* other : {convergence, principle, adapt}) other->excludes(option);
+  }
+  for (CLI::Option* other : {convergence, principle}) other->excludes(output);
+  for (CLI::Option* other : {mesh, adapt}) other->excludes(folder);
 }
 
 ExitStatus status_of(ErrorKind kind) {
@@ -114,6 +136,13 @@ ExitStatus status_of(ErrorKind kind) {
       return not_written;
   }
   return our_bug;
+}
+
+ExitStatus tell_lost_output() {
+  fmt::print(stderr,
+             "lepp-poisson: standard output could not be written: look where it is sent "
+             "to\n");
+  return not_written;
 }
 
 ExitStatus run(const CommandLine& line, const Choice& choice) {
@@ -151,11 +180,14 @@ int main(int argc, char** argv) {
       return our_bug;
     }
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes an error of the writer
-    return run(line, choice);
+    const ExitStatus status = run(line, choice);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return tell_lost_output();
+    return status;
   } catch (const lepp::Error& error) {
     fmt::print(stderr, "lepp-poisson: {}\n", error.what());
     return status_of(error.kind());
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return tell_lost_output();  // fmt throws an error of its own
     fmt::print(stderr, "lepp-poisson: internal error: {}\n", error.what());
     return our_bug;
   }

@@ -1,5 +1,7 @@
 #include "remesh_multigrid.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "lepp/bisection/transfer_matrix.hpp"
@@ -32,6 +34,17 @@ void sweep(const SparseMatrix& A, const Eigen::VectorXd& r, Eigen::VectorXd& z) 
   }
 }
 
+/// Of the triangle whose longest edge is the shortest.
+double smallest_squared_diameter(const Mesh& mesh) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = mesh.corners(TriangleId(t));
+    smallest = std::min(smallest, std::max({squared_distance(a, b), squared_distance(b, c),
+                                            squared_distance(c, a)}));
+  }
+  return smallest;
+}
+
 }  // namespace
 
 SparseMatrix MeshHistory::from_last(const Mesh& mesh, std::span<const char> free) const {
@@ -42,10 +55,17 @@ SparseMatrix MeshHistory::from_last(const Mesh& mesh, std::span<const char> free
   return P;
 }
 
+// Gauss-Seidel finds what the coarse mesh lacks where edges are up to a few times shorter.
+bool MeshHistory::is_much_finer(const Mesh& mesh) const {
+  return mesh.vertex_count() >= 2 * last_.vertex_count() ||
+         16 * smallest_squared_diameter(mesh) <= last_smallest_;
+}
+
 void MeshHistory::add(const Mesh& mesh, std::span<const char> free) {
-  if (mesh.vertex_count() < 2 * last_.vertex_count()) return;
+  if (!is_much_finer(mesh)) return;
   if (last_.vertex_count() > 0) between_.push_back(from_last(mesh, free));
   last_ = mesh;
+  last_smallest_ = smallest_squared_diameter(mesh);
   last_free_.assign(free.begin(), free.end());
 }
 

@@ -12,7 +12,8 @@ namespace lepp::demo {
 
 /// The meshes of an adaptive loop that makes each mesh anew, as a hierarchy: not nested, but each
 /// can be interpolated on the next one. Keeps those that have at least twice as many vertices as
-/// the one kept before, and of all but the last the interpolation only.
+/// the one kept before, or a triangle at most a quarter as large as its smallest (towards a
+/// singular point meshes grow fine with few vertices); of all but the last the interpolation only.
 class MeshHistory {
  public:
   /// \param free  one per vertex: 0 where a value is given; the coarse functions are 0 there
@@ -25,7 +26,10 @@ class MeshHistory {
   SparseMatrix from_last(const Mesh& mesh, std::span<const char> free) const;
 
   std::vector<SparseMatrix> between_;  // on mesh i + 1 from mesh i, of the kept ones
+  bool is_much_finer(const Mesh& mesh) const;
+
   Mesh last_;
+  double last_smallest_ = 0;  // squared longest edge of its smallest triangle
   std::vector<char> last_free_;
 };
 

@@ -106,6 +106,10 @@ void write_json(const std::string& where, const std::string& text) {
   files.commit();
 }
 
+bool is_same_place(const fs::path& a, const fs::path& b) {
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
 fs::path make_folder(const std::string& name) {
   std::error_code error;
   fs::create_directories(name, error);
@@ -116,6 +120,9 @@ fs::path make_folder(const std::string& name) {
 ExitStatus run_solve(const CommandLine& line) {
   check_target(line.output, line.mesh, line.force);
   if (line.json != "-") check_target(line.json, line.mesh, true);  // a report may be replaced
+  if (!line.json.empty() && !line.output.empty() && is_same_place(line.json, line.output)) {
+    throw OutputError(line.json, "is named for two outputs", "give --json another name");
+  }
   const Mesh mesh = read_mesh(line.mesh);
   const PoissonProblem problem = problem_from(line.groups, mesh);
   const VoronoiBoxes boxes = voronoi_boxes(mesh);

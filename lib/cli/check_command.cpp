@@ -38,7 +38,7 @@ int run(CheckCommand& command) {
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  check_report_target(command.json, command.mesh);
+  check_report_target(command.json, {command.mesh});
   RunReport report;
   report.input = command.mesh.string();
   Mesh mesh = read_mesh(command.mesh, report.warnings).mesh;

@@ -24,7 +24,7 @@ void print_warnings(const std::vector<std::string>& warnings, bool quiet) {
 }
 
 int to_geometry(const ConvertCommand& command, const std::string& kind) {
-  check_target(command.output.target, command.input, command.output.force);
+  check_target(command.output.target, {command.input}, command.output.force);
   const Input input = read_input(command.input, command.gmsh);
   print_warnings(input.warnings, command.quiet);
   if (kind == ".poly") {
@@ -40,7 +40,7 @@ int to_geometry(const ConvertCommand& command, const std::string& kind) {
 int run(const ConvertCommand& command) {
   const std::string kind = command.output.target.extension().string();
   if (kind == ".poly" || kind == ".geo") return to_geometry(command, kind);
-  check_mesh_target(command.output, command.input);
+  check_mesh_target(command.output, {command.input});
   std::vector<std::string> warnings;
   const Triangulation read = read_mesh(command.input, warnings);
   print_warnings(warnings, command.quiet);

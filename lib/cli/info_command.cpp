@@ -105,7 +105,7 @@ std::string as_text(const Json& info) {
 }
 
 int run(const InfoCommand& command) {
-  check_report_target(command.json, command.input);
+  check_report_target(command.json, {command.input});
   const Json info = describe(read_input(command.input, command.gmsh));
   if (command.json.empty()) write_text("-", as_text(info));
   else write_text(command.json, info.dump(2) + "\n");

@@ -35,8 +35,9 @@ int cancel(RunReport& report) {
 
 int run(MeshCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_mesh_target(command.output, command.input);
-  check_report_target(command.json, command.input, files_of(command.output.target));
+  const Files inputs{command.input, command.mesh.sizes.file};
+  check_mesh_target(command.output, inputs);
+  check_report_target(command.json, inputs, files_of(command.output.target));
   command.mesh.nonobtuse = !command.no_nonobtuse;
   command.mesh.triangulation.crossings =
       command.split_crossings ? Crossings::split : Crossings::refuse;

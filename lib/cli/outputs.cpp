@@ -24,7 +24,7 @@ void add_output_options(CLI::App& command, OutputOptions& output, std::string& j
   command.add_flag("-q,--quiet", quiet, "no report on the terminal");
 }
 
-std::vector<fs::path> files_of(const fs::path& target) {
+Files files_of(const fs::path& target) {
   if (target.extension() != ".ele") return {target};
   fs::path node = target, poly = target;
   return {node.replace_extension(".node"), target, poly.replace_extension(".poly")};
@@ -33,8 +33,8 @@ std::vector<fs::path> files_of(const fs::path& target) {
 namespace {
 
 // The files that reading `input` may read: those of Triangle come in sets of one name.
-std::vector<fs::path> files_read(const fs::path& input) {
-  std::vector<fs::path> files{input};
+Files files_read(const fs::path& input) {
+  Files files{input};
   const std::string kind = input.extension().string();
   if (kind != ".ele" && kind != ".poly" && kind != ".node") return files;
   for (const char* other : {".ele", ".node", ".poly", ".edge"}) {
@@ -44,10 +44,11 @@ std::vector<fs::path> files_read(const fs::path& input) {
   return files;
 }
 
-void refuse_input(const fs::path& target, const fs::path& input) {
+void refuse_inputs(const fs::path& target, const Files& inputs) {
   std::error_code error;  // a file that does not exist is no input
-  for (const fs::path& file : files_read(input)) {
-    if (fs::equivalent(target, file, error)) {
+  for (const fs::path& input : inputs) {
+    for (const fs::path& file : files_read(input)) {
+      if (!fs::equivalent(target, file, error)) continue;
       throw OutputError(target.string(), "is also the input", "choose another name");
     }
   }
@@ -62,18 +63,17 @@ void print(std::FILE* stream, const std::string& text) {
 
 }  // namespace
 
-void check_target(const fs::path& target, const fs::path& input, bool force) {
-  refuse_input(target, input);
+void check_target(const fs::path& target, const Files& inputs, bool force) {
+  refuse_inputs(target, inputs);
   std::error_code error;
   if (!force && fs::is_regular_file(target, error)) {
     throw OutputError(target.string(), "exists already", "choose another name, or add --force");
   }
 }
 
-void check_report_target(const std::string& json, const fs::path& input,
-                         const std::vector<fs::path>& outputs) {
+void check_report_target(const std::string& json, const Files& inputs, const Files& outputs) {
   if (json.empty() || json == "-") return;
-  refuse_input(json, input);
+  refuse_inputs(json, inputs);
   for (const fs::path& output : outputs) {
     if (fs::absolute(json).lexically_normal() == fs::absolute(output).lexically_normal()) {
       throw OutputError(json, "is named for two outputs", "give --json another name");
@@ -81,13 +81,13 @@ void check_report_target(const std::string& json, const fs::path& input,
   }
 }
 
-void check_mesh_target(const OutputOptions& options, const fs::path& input) {
+void check_mesh_target(const OutputOptions& options, const Files& inputs) {
   const std::string kind = options.target.extension().string();
   if (kind != ".msh" && kind != ".vtu" && kind != ".ele") {
     throw CLI::ValidationError(
         "--output", options.target.string() + " is of no mesh format; name it .msh, .vtu or .ele");
   }
-  for (const fs::path& file : files_of(options.target)) check_target(file, input, options.force);
+  for (const fs::path& file : files_of(options.target)) check_target(file, inputs, options.force);
 }
 
 void write_mesh(const Mesh& mesh, const OutputOptions& options) {

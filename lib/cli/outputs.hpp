@@ -23,17 +23,18 @@ struct OutputOptions {
 void add_output_options(CLI::App& command, OutputOptions& output, std::string& json,
                         bool& allow_unfinished, bool& quiet);
 
+using Files = std::vector<std::filesystem::path>;
+
 /// The files that writing a mesh to `target` makes: X.ele stands for X.node, X.ele and X.poly.
-std::vector<std::filesystem::path> files_of(const std::filesystem::path& target);
+Files files_of(const std::filesystem::path& target);
 
 /// Asked before any work: \throw CLI::ValidationError for a kind of file that is no mesh format,
 /// OutputError for a target that exists (without `force`) or is a file of the input (always).
-void check_mesh_target(const OutputOptions& options, const std::filesystem::path& input);
-void check_target(const std::filesystem::path& target, const std::filesystem::path& input,
-                  bool force);
+/// \param inputs  all files that are read; empty names stand for none
+void check_mesh_target(const OutputOptions& options, const Files& inputs);
+void check_target(const std::filesystem::path& target, const Files& inputs, bool force);
 /// The report may replace an older one, but no file of the input and no other output.
-void check_report_target(const std::string& json, const std::filesystem::path& input,
-                         const std::vector<std::filesystem::path>& outputs = {});
+void check_report_target(const std::string& json, const Files& inputs, const Files& outputs = {});
 
 /// Writes .msh, .vtu or .ele, as the name says.
 void write_mesh(const Mesh& mesh, const OutputOptions& options);

@@ -19,7 +19,7 @@ int run(PictureCommand& command) {
   if (command.target.extension() != ".svg") {
     throw InputError(command.target.string(), "pictures are SVG files", "name the output .svg");
   }
-  check_target(command.target, command.mesh, command.force);
+  check_target(command.target, {command.mesh}, command.force);
   std::vector<std::string> warnings;
   const Mesh mesh = read_mesh(command.mesh, warnings).mesh;
   VoronoiBoxes boxes;

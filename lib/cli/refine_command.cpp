@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -29,6 +30,8 @@ namespace {
 
 enum class By { bisect, delaunay };
 
+constexpr std::size_t most_by_bisection = 10'000'000;  // vertices, if nothing else is said
+
 struct RefineCommand {
   std::filesystem::path input, size_file;
   OutputOptions output;
@@ -38,7 +41,7 @@ struct RefineCommand {
   By by = By::bisect;
   BisectionRule rule = BisectionRule::longest_edge;
   double min_angle_deg = 30;
-  std::size_t max_vertices = 10'000'000;
+  std::optional<std::size_t> max_vertices;
   unsigned threads = 2;
   std::string json;
   bool allow_unfinished = false, quiet = false;
@@ -70,12 +73,19 @@ class Wanted {
     return size > field_->least_within(a, b, c, wanted);
   }
 
+  // The largest size at which a triangle is not too large, but for what size_at() says.
+  double size_in(const std::array<Point, 3>& corners) const {
+    const auto [a, b, c] = corners;
+    const double size = is_in_region(corners) ? below_max_edge() : infinite;
+    return field_ ? field_->least_within(a, b, c, size) : size;
+  }
+
   // A size for points. A triangle that meets a region has all of its points within its diameter of
   // the region, so with a margin for what the size grows by until there it ends up below max_edge.
   double size_at(Point p) const {
-    double size = field_ ? (*field_)(p) : std::numeric_limits<double>::infinity();
-    const double at_region = (1 - grading_) * max_edge_;
-    if (regions_.empty()) return std::min(size, max_edge_);
+    double size = field_ ? (*field_)(p) : infinite;
+    const double at_region = (1 - grading_) * below_max_edge();
+    if (regions_.empty()) return std::min(size, below_max_edge());
     for (const Region& region : regions_) {
       size = std::min(size, at_region + grading_ * distance(region, p));
     }
@@ -83,6 +93,12 @@ class Wanted {
   }
 
  private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+  // Sizes are kept if no edge is longer; below max_edge is what was asked for.
+  double below_max_edge() const {
+    return max_edge_ < infinite ? std::nextafter(max_edge_, 0.0) : infinite;
+  }
   bool is_in_region(const std::array<Point, 3>& corners) const {
     if (regions_.empty()) return true;
     return std::ranges::any_of(regions_, [&](const Region& r) { return meets(r, corners); });
@@ -95,7 +111,9 @@ class Wanted {
 
 Reason reason_of(const Mesh& mesh, const RefineCommand& command) {
   if (interrupted()) return Reason::cancelled;
-  return mesh.vertex_count() >= command.max_vertices ? Reason::budget : Reason::size_floor;
+  return mesh.vertex_count() >= command.max_vertices.value_or(most_by_bisection)
+             ? Reason::budget
+             : Reason::size_floor;
 }
 
 // Triangles that are still too large, and why.
@@ -104,7 +122,7 @@ RefineReport bisect(Mesh& mesh, const RefineCommand& command, const Wanted& want
   Progress progress;
   WhereOptions options;
   options.bisect.threads = command.threads;
-  options.bisect.max_vertices = command.max_vertices;
+  options.bisect.max_vertices = command.max_vertices.value_or(most_by_bisection);
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   const std::size_t before = mesh.vertex_count();
   Forest forest(std::move(mesh), command.rule);
@@ -125,7 +143,8 @@ RefineReport insert(Mesh& mesh, const RefineCommand& command, const Wanted& want
   RefineOptions options;
   options.min_angle_deg = command.min_angle_deg;
   options.size = [&](Point p) { return wanted.size_at(p); };
-  options.max_vertices = command.max_vertices;
+  options.size_in = [&](Point a, Point b, Point c) { return wanted.size_in({a, b, c}); };
+  options.max_vertices = command.max_vertices.value_or(0);  // 0: what the sizes suggest
   options.progress = [&](std::size_t vertices) { return progress(vertices); };
   make_delaunay(mesh);
   return refine(mesh, options);
@@ -160,10 +179,19 @@ void check(const Mesh& mesh, const RefineCommand& command, const RefineReport& r
   }
 }
 
+Files files_read(const RefineCommand& command) {
+  Files files{command.input, command.size_file};
+  for (const std::string& region : command.regions) {
+    if (const auto file = polygon_file(region)) files.push_back(*file);
+  }
+  return files;
+}
+
 int run(RefineCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  check_mesh_target(command.output, command.input);
-  check_report_target(command.json, command.input, files_of(command.output.target));
+  const Files inputs = files_read(command);
+  check_mesh_target(command.output, inputs);
+  check_report_target(command.json, inputs, files_of(command.output.target));
   const Wanted wanted(command);
   RunReport report;
   report.input = command.input.string();
@@ -202,6 +230,23 @@ int run(RefineCommand& command) {
   return status;
 }
 
+// Options that would have no effect.
+void refuse_ignored(const CLI::App& app, const RefineCommand& command) {
+  const bool has_max_edge = command.max_edge < std::numeric_limits<double>::max();
+  if (command.size_file.empty() && !has_max_edge) {
+    throw CLI::RequiredError("--max-edge or --size-file");
+  }
+  if (!command.regions.empty() && !has_max_edge) {
+    throw CLI::ValidationError("--in", "needs --max-edge, the size wanted there");
+  }
+  if (command.by == By::delaunay && app.count("--rule") > 0) {
+    throw CLI::ValidationError("--rule", "goes with --by bisect only");
+  }
+  if (command.by == By::bisect && app.count("--min-angle") > 0) {
+    throw CLI::ValidationError("--min-angle", "goes with --by delaunay only");
+  }
+}
+
 void add_options(CLI::App& refine, RefineCommand& command) {
   refine.add_option("--in", command.regions,
                     "a region: \"disc X Y R\", \"box X0 Y0 X1 Y1\" or \"polygon FILE\"; may be "
@@ -228,9 +273,11 @@ void add_options(CLI::App& refine, RefineCommand& command) {
   refine.add_option("--min-angle", command.min_angle_deg, "smallest angle wanted, by delaunay")
       ->check(number_from(0, 45))
       ->capture_default_str();
-  refine.add_option("--max-vertices", command.max_vertices, "stop at so many vertices")
-      ->check(whole_number_from(1))
-      ->capture_default_str();
+  refine
+      .add_option("--max-vertices", command.max_vertices,
+                  "stop at so many vertices (default: by bisect 10 million, by delaunay 50 times "
+                  "what mesh and sizes suggest)")
+      ->check(whole_number_from(1));
 }
 
 }  // namespace
@@ -246,14 +293,14 @@ void add_refine_command(CLI::App& app, int& status) {
   add_output_options(refine, command->output, command->json, command->allow_unfinished,
                      command->quiet);
   refine.footer(
+      "Edges on curved boundaries are cut along their chords, for mesh files do not hold the\n"
+      "curves. For a finer curve, mesh the geometry anew: lepp mesh.\n\n"
       "Examples:\n"
       "  lepp refine plate.msh -o finer.msh --max-edge 0.02\n"
       "  lepp refine plate.msh -o finer.msh --in \"disc 0.3 0.4 0.1\" --max-edge 0.01\n"
       "  lepp refine plate.msh -o finer.msh --in \"box 0 0 1 0.2\" --max-edge 0.01 --by delaunay");
-  refine.callback([command, &status] {
-    if (command->size_file.empty() && !(command->max_edge < std::numeric_limits<double>::max())) {
-      throw CLI::RequiredError("--max-edge or --size-file");
-    }
+  refine.callback([command, &refine, &status] {
+    refuse_ignored(refine, *command);
     status = run(*command);
   });
 }

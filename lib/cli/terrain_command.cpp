@@ -21,9 +21,17 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+Files files_read(const TerrainCommand& command) {
+  Files files{command.input};
+  for (const auto* more : {&command.clip, &command.breaklines, &command.soft_breaklines}) {
+    files.insert(files.end(), more->begin(), more->end());
+  }
+  return files;
+}
+
 void check_targets(const TerrainCommand& command, bool has_crs) {
   for (const fs::path& target : terrain_targets(command, has_crs)) {
-    check_target(target, command.input, command.output.force);
+    check_target(target, files_read(command), command.output.force);
   }
 }
 
@@ -105,7 +113,7 @@ int run(const TerrainCommand& command) {
   const auto start = Clock::now();
   check_terrain_options(command);
   check_targets(command, false);
-  check_report_target(command.json, command.input, terrain_targets(command, true));
+  check_report_target(command.json, files_read(command), terrain_targets(command, true));
   TerrainReport report;
   const TileCounts tiles = command.tile_counts();
   const bool has_tiles = tiles.rows * tiles.columns > 1;

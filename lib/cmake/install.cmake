@@ -39,6 +39,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/refine/steiner_point.hpp
   lepp/nonobtuse/nonobtuse.hpp
   lepp/bisection/forest.hpp
+  lepp/bisection/polygon_area.hpp
   lepp/bisection/refine_where.hpp
   lepp/bisection/region.hpp
   lepp/bisection/remesh_transfer.hpp

@@ -218,3 +218,25 @@ TEST_CASE("a log replayed gives every vertex between its ends, and triangle coun
     REQUIRE(triangles == forest.mesh().triangle_count());
   }
 }
+
+TEST_CASE("coarsening brings back ids at a vertex where two parts of the domain only touch") {
+  Pslg pslg = polygon({0, 0, 2, -1, 2, 1});
+  for (const Point p : {Point{-2, 1}, Point{-2, -1}}) pslg.points.push_back(p);
+  for (const auto& [a, b] : {std::pair{0U, 3U}, {3U, 4U}, {4U, 0U}}) {
+    pslg.segments.push_back({VertexId(a), VertexId(b), {}, 0, 1});
+  }
+  const Mesh start = mesh_of(pslg);
+  REQUIRE(start.triangle_count() == 2);
+  Forest forest(start);
+  for (int i = 0; i < 4; ++i) forest.bisect(all_triangles(forest.mesh()));
+  while (!forest.coarsen(all_triangles(forest.mesh())).vertices.empty()) {
+  }
+  const Mesh& mesh = forest.mesh();
+  CHECK(std::ranges::equal(mesh.points(), start.points()));
+  REQUIRE(mesh.triangle_count() == start.triangle_count());
+  for (const TriangleId t : all_triangles(start)) CHECK(mesh.vertices(t) == start.vertices(t));
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {  // any fan will do
+    CHECK(mesh.origin(mesh.leaving(VertexId(v))) == VertexId(v));
+  }
+  CHECK(validate(mesh, {.delaunay = false}).summary() == "valid");
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "lepp/geometry/place_on_segment.hpp"
 #include "lepp/geometry/predicates.hpp"
 
 using namespace lepp;
@@ -41,12 +42,12 @@ TEST_CASE("a polygon meets a triangle by its sides, its corners, or its inside; 
   CHECK(meets(PolygonArea{{{4, 0}, {5, 0}, {5, 1}}}, triangle));
   CHECK_FALSE(meets(PolygonArea{{{4.5, 0}, {5, 0}, {5, 1}}}, triangle));
   // Twice around the triangle: inside an even number of times.
-  PolygonArea twice = around;
+  std::vector<Point> twice = around.corners();
   for (const Point p :
        {Point{-9, -9}, Point{-8, -8}, Point{8, -8}, Point{8, 8}, Point{-8, 8}, Point{-8, -8}}) {
-    twice.corners.push_back(p);
+    twice.push_back(p);
   }
-  CHECK_FALSE(meets(twice, triangle));
+  CHECK_FALSE(meets(PolygonArea(twice), triangle));
 }
 
 TEST_CASE("a region of either kind that holds a random point of the triangle meets it") {
@@ -73,4 +74,65 @@ TEST_CASE("the distance from a region is 0 inside and that of its nearest point 
     CHECK(distance(region, {5, 5}) == 5);
     CHECK(distance(region, {1, -3}) == 3);
   }
+}
+
+TEST_CASE("any closed chain: inside by counting all sides, and as far away as its nearest side") {
+  std::mt19937_64 random(9);
+  std::uniform_int_distribution<int> coordinate(0, 12);  // many corners on the rays
+  const auto some_place = [&] {
+    return Point{static_cast<double>(coordinate(random)), static_cast<double>(coordinate(random))};
+  };
+  for (std::size_t n = 3; n < 60; ++n) {
+    CAPTURE(n);
+    std::vector<Point> corners(n);
+    for (Point& p : corners) p = some_place();
+    const PolygonArea polygon(corners);
+    for (int i = 0; i < 40; ++i) {
+      const Point p = i % 2 == 0 ? some_place() : 0.5 * (some_place() + some_place());
+      bool inside = false;
+      double least = 1e300;
+      for (std::size_t k = 0; k < n; ++k) {
+        const Point a = corners[k], b = corners[(k + 1) % n];
+        least = std::min(least, nearest_place(a, b, p).squared_distance);
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        inside ^= (a.y < b.y ? orient2d(a, b, p) : orient2d(b, a, p)) > 0;
+      }
+      CHECK(polygon.contains(p) == inside);
+      CHECK(polygon.squared_distance_from_sides(p) == doctest::Approx(least).epsilon(1e-12));
+      const auto count = [&](auto asked) {
+        std::size_t sides = 0;
+        asked([&](Point a, Point b) {
+          const auto [left, right] = std::minmax(a.x, b.x);
+          const auto [bottom, top] = std::minmax(a.y, b.y);
+          sides += right >= p.x && left <= p.x + 2 && top >= p.y && bottom <= p.y + 2 ? 1 : 0;
+          return false;
+        });
+        return sides;
+      };
+      CHECK(count([&](auto f) {
+              polygon.any_side_near(p, p + Point{2, 2}, f);
+            }) == count([&](auto f) {
+              for (std::size_t k = 0; k < n; ++k) f(corners[k], corners[(k + 1) % n]);
+            }));
+    }
+  }
+}
+
+TEST_CASE("few sides of a long chain are looked at") {
+  constexpr std::size_t n = 20000;
+  std::vector<Point> coast;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.0) * static_cast<double>(i) / n;
+    const double r = 1 + 0.1 * std::sin(100 * angle);
+    coast.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  const PolygonArea polygon(coast);
+  std::size_t looked_at = 0;
+  for (const Point& p : coast) {
+    polygon.any_side_near(p, p + Point{1e-3, 1e-3}, [&](Point, Point) {
+      ++looked_at;
+      return false;
+    });
+  }
+  CHECK(looked_at < 20 * n);
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -209,4 +210,40 @@ TEST_CASE("a matrix with more rows, columns or entries than 32 bits count is ref
   VertexTransfer transfer;
   transfer.vertices_before = most + 1;
   CHECK_THROWS_AS(interpolation(transfer), RefusedError);
+}
+
+TEST_CASE("through coarsening the caller says what two values make: amounts, vectors, sets") {
+  for_random_forests([](Forest& forest, Random& random) {
+    std::vector<double> amounts = areas_of(forest.mesh()), sums = amounts;
+    std::vector<std::vector<std::uint32_t>> lists(amounts.size());
+    std::vector<bool> marks(amounts.size());
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      lists[i] = {static_cast<std::uint32_t>(i)};
+      marks[i] = random.one_in(4);
+    }
+    const std::vector<bool> marks_before = marks;
+    const Coarsening coarsening = forest.coarsen(some_triangles(forest.mesh(), random, 1));
+    transfer_triangles(coarsening, amounts, std::plus<>());
+    CHECK(largest_difference(amounts, areas_of(forest.mesh())) < 1e-12);
+    transfer_triangles(coarsening, lists, [](auto a, const auto& b) {
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    });
+    transfer_triangles(coarsening, marks, std::logical_or<bool>());
+    REQUIRE(lists.size() == forest.mesh().triangle_count());
+    REQUIRE(marks.size() == lists.size());
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      double sum = 0;
+      bool marked = false;
+      for (const std::uint32_t old : lists[i]) {
+        sum += sums[old];
+        marked = marked || marks_before[old];
+      }
+      CHECK(std::abs(sum - amounts[i]) < 1e-12);
+      CHECK(marks[i] == marked);
+      all += lists[i].size();
+    }
+    CHECK(all == sums.size());
+  });
 }

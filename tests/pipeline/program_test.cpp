@@ -110,6 +110,21 @@ TEST_CASE("a report never replaces an input or the mesh of the same run") {
   CHECK(run(folder.path(), "info in.poly > /dev/full").status == 5);
 }
 
+TEST_CASE("a size file is an input too: neither the mesh nor the report replaces it") {
+  const ScratchFolder folder;
+  const std::string sizes = "0.5 0.5 0.1\n";
+  write(folder.path() / "sizes.txt", sizes);
+  write(folder.path() / "sizes.msh", sizes);
+  write(folder.path() / "in.poly", square);
+  const auto status = [&](const std::string& rest) {
+    return run(folder.path(), "mesh in.poly -q --force " + rest).status;
+  };
+  CHECK(status("-o out.msh --size-file sizes.txt --json sizes.txt") == 5);
+  CHECK(status("-o sizes.msh --size-file sizes.msh") == 5);
+  CHECK(content_of(folder.path() / "sizes.txt") == sizes);
+  CHECK(content_of(folder.path() / "sizes.msh") == sizes);
+}
+
 TEST_CASE("bad input has status 2 and names file and line; nothing is written") {
   const ScratchFolder folder;
   write(folder.path() / "in.poly", "3 2 0 0\n1 0 0\n2 nan 0\n3 0 1\n0 0\n0\n");

@@ -26,6 +26,12 @@ void make_start(const ScratchFolder& folder) {
   REQUIRE(run(folder.path(), "mesh in.poly --max-edge 0.3 -q -o start.ele").status == 0);
 }
 
+// The unit square as two triangles, square.ele.
+void make_square(const ScratchFolder& folder) {
+  write(folder.path() / "square.node", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n");
+  write(folder.path() / "square.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
+}
+
 std::size_t too_large(const fs::path& file, const Region& region, double eps) {
   const Mesh mesh = mesh_from_triangles(read_ele(file)).mesh;
   std::size_t count = 0;
@@ -86,6 +92,106 @@ TEST_CASE("a size at a point inside a large triangle holds there, at any grading
   REQUIRE(run(folder.path(), "refine start.ele -o out.ele -q --size-file sizes.txt --grading 0.9")
               .status == 0);
   CHECK(too_large(folder.path() / "out.ele", Disc{{0.21, 0.37}, 0}, 1.0001e-3) == 0);
+}
+
+TEST_CASE("lepp refine by delaunay: a size at a point reaches the triangle around it") {
+  const ScratchFolder folder;
+  make_start(folder);
+  write(folder.path() / "one.txt", "0.45 0.56 0.24\n");
+  for (const std::string grading : {"0", "0.25", "0.9"}) {
+    CAPTURE(grading);
+    const std::string arguments =
+        "refine start.ele -o out.ele --force -q --by delaunay --size-file one.txt --grading ";
+    CHECK(run(folder.path(), arguments + grading).status == 0);
+    CHECK(too_large(folder.path() / "out.ele", Disc{{0.45, 0.56}, 0}, 0.24001) == 0);
+  }
+}
+
+TEST_CASE("lepp refine: edges as long as --max-edge are too long, either way and at any grading") {
+  const ScratchFolder folder;
+  make_square(folder);
+  for (const std::string options : {"--max-edge 1", "--max-edge 1 --in \"box 0 0 1 1\" --grading 0",
+                                    "--max-edge 0.5 --in \"disc 0.5 0.5 0.1\" --grading 0"}) {
+    for (const std::string by : {"bisect", "delaunay"}) {
+      CAPTURE(options);
+      CAPTURE(by);
+      const std::string start = "refine square.ele -o out.ele --force -q --by ";
+      CHECK(run(folder.path(), start + by + " " + options).status == 0);
+    }
+  }
+  CHECK(run(folder.path(), "refine square.ele -o out.ele --force -q --max-edge 1").status == 0);
+  CHECK(too_large(folder.path() / "out.ele", Box{{-1, -1}, {2, 2}}, 1) == 0);
+}
+
+TEST_CASE("lepp refine overwrites neither a size file nor a polygon, --force or not") {
+  const ScratchFolder folder;
+  make_square(folder);
+  const std::string polygon = "0.1 0.1\n0.9 0.1\n0.5 0.9\n", sizes = "0.5 0.5 0.1\n";
+  for (const char* name : {"p.txt", "p.msh"}) write(folder.path() / name, polygon);
+  for (const char* name : {"s.txt", "s.msh"}) write(folder.path() / name, sizes);
+  const std::string with_polygon = "refine square.ele -q --max-edge 0.5 --force --in ";
+  const std::string with_sizes = "refine square.ele -q --force --size-file ";
+  for (const std::string& arguments :
+       {with_sizes + "s.txt -o new.msh --json s.txt", with_sizes + "s.msh -o s.msh",
+        with_polygon + "'polygon p.txt' -o new.msh --json p.txt",
+        with_polygon + "' polygon  p.txt ' -o new.msh --json ./p.txt",
+        with_polygon + "'polygon p.msh' -o p.msh"}) {
+    CAPTURE(arguments);
+    CHECK(run(folder.path(), arguments).status == 5);
+  }
+  for (const char* name : {"p.txt", "p.msh"}) CHECK(content_of(folder.path() / name) == polygon);
+  for (const char* name : {"s.txt", "s.msh"}) CHECK(content_of(folder.path() / name) == sizes);
+}
+
+TEST_CASE("lepp refine: blanks around a region do not count, another line does") {
+  const ScratchFolder folder;
+  make_square(folder);
+  write(folder.path() / "my corners.txt", "0.1 0.1\n0.9 0.1\n0.5 0.9\n");
+  const auto status = [&](const std::string& region) {
+    return run(folder.path(),
+               "refine square.ele -o out.ele -q --force --max-edge 0.5 --in '" + region + "'")
+        .status;
+  };
+  for (const std::string region : {"polygon my corners.txt", "polygon  my corners.txt",
+                                   " polygon my corners.txt ", "\tdisc 0 0  0.1 "}) {
+    CAPTURE(region);
+    CHECK(status(region) == 0);
+  }
+  for (const std::string region :
+       {"disc 0 0 1\ndisc 1 1 1", "polygon ", "polygon", "polygons my corners.txt"}) {
+    CAPTURE(region);
+    CHECK(status(region) == 2);
+  }
+}
+
+TEST_CASE("lepp refine by delaunay ends at the budget that the library sets for such sizes") {
+  const ScratchFolder folder;
+  // A sliver of 1e-12 beside a square: triangles of this size could fill it with millions.
+  fs::copy_file(LEPP_REGRESSION "/sliver_beside_a_square.poly", folder.path() / "in.poly");
+  REQUIRE(run(folder.path(), "mesh in.poly -q -o start.ele").status == 0);
+  const Outcome stopped =
+      run(folder.path(), "refine start.ele -o out.ele -q --json - --max-edge 0.05 --by delaunay");
+  CHECK(stopped.status == 3);
+  const Json report = Json::parse(stopped.out);
+  CHECK(report["vertices"] < 200000);
+  CHECK(report["below_bound"]["budget"] > 0);
+}
+
+TEST_CASE("lepp refine refuses options that would have no effect") {
+  const ScratchFolder folder;
+  make_square(folder);
+  write(folder.path() / "s.txt", "0.5 0.5 0.1\n");
+  for (const std::string options :
+       {"--max-edge 0.5 --by delaunay --rule newest-vertex", "--max-edge 0.5 --min-angle 20",
+        "--size-file s.txt --in 'disc 0 0 1'"}) {
+    CAPTURE(options);
+    CHECK(run(folder.path(), "refine square.ele -o out.ele -q " + options).status == 1);
+  }
+}
+
+TEST_CASE("lepp refine says in its help that curves are cut along chords") {
+  CHECK(run(ScratchFolder().path(), "refine --help").out.find("along their chords") !=
+        std::string::npos);
 }
 
 TEST_CASE("lepp refine stops at its limit with status 3 and writes only if told to") {

@@ -356,6 +356,22 @@ TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") 
   CHECK(std::ranges::count_if(dyke.vertices, [](const Place& v) { return v[2] == 800; }) >= 2);
 }
 
+TEST_CASE("clip polygons and breaklines are inputs: nothing replaces them, --force or not") {
+  const ScratchFolder folder;
+  const std::string lines = R"({"type": "Polygon", "coordinates": [[[431400, 5103600],
+                            [432300, 5103600], [432300, 5104100], [431400, 5103600]]]})";
+  for (const std::string option : {"--clip", "--breaklines", "--soft-breaklines"}) {
+    CAPTURE(option);
+    folder.put("lines.json", lines);
+    const std::string start = "terrain " + hill + " -q --force --max-error 5 " + option;
+    CHECK(run(folder.path(), start + " lines.json -o t.obj --json lines.json").status == 5);
+    folder.put("lines.obj", lines);
+    CHECK(run(folder.path(), start + " lines.obj -o lines.obj").status == 5);
+    CHECK(content_of(folder / "lines.json") == lines);
+    CHECK(content_of(folder / "lines.obj") == lines);
+  }
+}
+
 TEST_CASE("grids that cannot be meshed are refused as their folder says") {
   const std::pair<const char*, int> cases[] = {
       {"d01_all_nodata.asc", 2},          {"d05_ragged_row.asc", 2},

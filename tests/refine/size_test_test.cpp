@@ -101,3 +101,24 @@ TEST_CASE("the triangles around a point of a size file are as small as it asks, 
     CHECK(around > 0);
   }
 }
+
+TEST_CASE("a size asked of triangles counts beside, and without, a size at points") {
+  const Point at{0.3, 0.4};
+  const auto is_around = [&](Point a, Point b, Point c) {
+    return orient2d(a, b, at) >= 0 && orient2d(b, c, at) >= 0 && orient2d(c, a, at) >= 0;
+  };
+  for (const bool with_size : {false, true}) {
+    CAPTURE(with_size);
+    Mesh mesh = constrained_delaunay(test::unit_square()).mesh;
+    RefineOptions options;
+    if (with_size) options.size = [](Point) { return 0.3; };
+    options.size_in = [&](Point a, Point b, Point c) { return is_around(a, b, c) ? 0.01 : 1e9; };
+    CHECK(refine(mesh, options).goal_reached);
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      const auto [a, b, c] = mesh.corners(TriangleId(t));
+      if (!is_around(a, b, c)) continue;
+      CHECK(std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)}) <=
+            1e-4);
+    }
+  }
+}

@@ -157,3 +157,15 @@ TEST_CASE("each solution starts from the last one: fewer iterations than from ze
   CHECK(most <= 6);
   CHECK(most > 0);
 }
+
+TEST_CASE("by delaunay multigrid keeps its iterations where few vertices make edges very short") {
+  AdaptiveOptions options;
+  options.by = RefineBy::delaunay;
+  options.estimator = Estimator::zz;
+  options.theta = 0.1;
+  options.max_unknowns = 700;  // edges of 1e-10; 16 iterations where meshes are told by size alone
+  for (const AdaptiveStep& step : run_adaptive(adaptive_problem("kellogg"), options)) {
+    CAPTURE(step.unknowns);
+    CHECK(step.iterations <= 10);
+  }
+}

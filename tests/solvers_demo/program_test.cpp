@@ -83,7 +83,9 @@ TEST_CASE("lepp-poisson --adapt: the files of a series appear in the folder, onc
   CHECK(folder.run("--adapt t-shape") == 1);
   CHECK(folder.run("--adapt peak --max-unknowns 20 --error-quadrature centroids") == 0);
   CHECK(folder.run("--adapt peak --error-quadrature exact") == 1);
-  CHECK(folder.run("--adapt peak --theta 0") == 1);
+  for (const std::string theta : {"0", "nan", "1.01", "half"}) {
+    CHECK(folder.run("--adapt peak --theta " + theta) == 1);
+  }
   CHECK(folder.run("plate.ele --theta 0.5 --dirichlet 4=0") == 1);
 }
 
@@ -98,4 +100,59 @@ TEST_CASE("lepp-poisson --adapt: an error in a late step leaves what the steps b
   const auto report = folder.json("report.json");
   CHECK(report["steps"].size() == 3);
   CHECK(report.contains("failure"));
+}
+
+TEST_CASE("lepp-poisson --adapt: --force leaves no step of an earlier, longer series") {
+  const Folder folder;
+  CHECK(folder.run("--adapt l-shape --max-unknowns 100 -o out") == 0);
+  CHECK(folder.has("out/step_009.vtu"));
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --force --json short.json") == 0);
+  const std::size_t steps = folder.json("short.json")["steps"].size();
+  CHECK(steps < 9);
+  CHECK(folder.has("out/step_00" + std::to_string(steps - 1) + ".vtu"));
+  CHECK_FALSE(folder.has("out/step_00" + std::to_string(steps) + ".vtu"));
+  CHECK_FALSE(folder.has("out/step_009.vtu"));
+}
+
+TEST_CASE("lepp-poisson: the report replaces no other output of the run") {
+  const Folder folder;
+  for (const std::string json :
+       {"out/errors.svg", "out/../out/series.pvd", "./out/step_000.vtu", "out"}) {
+    CAPTURE(json);
+    CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --force --json " + json) == 5);
+  }
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 -o out --json out/report.json") == 0);
+  CHECK(folder.run("plate.ele --dirichlet 4=0 -o u.vtu --json u.vtu") == 5);
+}
+
+TEST_CASE("lepp-poisson refuses options that would have no effect") {
+  const Folder folder;
+  for (const std::string option : {"--method fv", "--diffusion 4=2", "--dirichlet 4=0",
+                                   "--allow-inadmissible", "--source 4=1"}) {
+    for (const std::string problem :
+         {"--adapt l-shape --max-unknowns 20 ", "--convergence ", "--maximum-principle "}) {
+      CAPTURE(option);
+      CHECK(folder.run(problem + option) == 1);
+    }
+  }
+  CHECK(folder.run("--adapt l-shape --max-unknowns 20 --folder out") == 1);
+  CHECK(folder.run("plate.ele --dirichlet 4=0 --folder out") == 1);
+  CHECK(folder.run("--maximum-principle -o out.vtu") == 1);
+}
+
+TEST_CASE("lepp-poisson: output that is lost is an error") {
+  const Folder folder;
+  for (const std::string options :
+       {"--adapt l-shape --max-unknowns 100", "--adapt l-shape --max-unknowns 100 --json -",
+        "plate.ele --dirichlet 4=0", "plate.ele --dirichlet 4=0 --json -"}) {
+    CAPTURE(options);
+    CHECK(folder.run(options + " > /dev/full 2>/dev/null #") == 5);
+  }
+}
+
+TEST_CASE("lepp-poisson --adapt: a loop that ends before --max-unknowns has missed its goal") {
+  const Folder folder;
+  CHECK(folder.run("--adapt kellogg --by delaunay --estimator zz --theta 0.01 --max-unknowns 3000 "
+                   "--json report.json") == 3);
+  CHECK(folder.json("report.json")["steps"].back()["unknowns"] < 3000);
 }

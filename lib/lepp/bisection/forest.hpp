@@ -58,6 +58,8 @@ struct Coarsening {
   std::vector<Halves> triangles;    ///< `other` is removed, `whole` is both again
 };
 
+using NodeId = Id<struct NodeOfForest>;  ///< a triangle of the trees, cut or not
+
 /// A mesh that is refined by bisection and coarsened again, and the binary trees of its triangles:
 /// the mesh at the start holds the roots, its triangles now are the leaves. The same triangles are
 /// cut whatever the order of the marks: each is cut along its own edge or not at all.
@@ -92,7 +94,8 @@ class Forest {
 
   /// Undoes the last cut of each marked triangle, where that leaves a conforming mesh: where a
   /// vertex has only marked triangles around it, all made when it was. Roots stay. Called with all
-  /// triangles until nothing changes, it brings the mesh of the start back, every id included.
+  /// triangles until nothing changes, it brings the mesh of the start back, every id included;
+  /// only Mesh::leaving() of a vertex where parts of the domain touch may start another fan there.
   /// \param marked  triangles of mesh(), in any order, perhaps repeatedly
   /// \throw std::bad_alloc; nothing has changed then
   /// Cost  O(marked)
@@ -110,6 +113,24 @@ class Forest {
   std::optional<TriangleId> sibling(TriangleId t) const;
   /// The edge of `t` that will be cut.
   HalfEdge edge_to_cut(TriangleId t) const { return {t, leaves_[t.index()].cut}; }
+
+  // The trees. A node, unlike a triangle, keeps its id for as long as it exists, whatever else is
+  // cut or joined; coarsen() removes the two nodes that it joins, and their ids may come again.
+  NodeId node(TriangleId t) const { return NodeId(leaves_[t.index()].node); }
+  /// The triangle that `n` is if it is not cut.
+  std::optional<TriangleId> triangle(NodeId n) const;
+  /// What `n` is a half of; nothing for a root.
+  std::optional<NodeId> parent(NodeId n) const;
+  /// Its halves, the one that keeps its id in the mesh first; nothing if it is not cut.
+  std::optional<std::array<NodeId, 2>> children(NodeId n) const;
+  std::uint32_t generation(NodeId n) const { return pairs_[n.value / 2].generation; }
+  /// Counter-clockwise, as the triangle had them before it was cut. O(generations below `n`)
+  std::array<VertexId, 3> vertices(NodeId n) const;
+  /// The triangles after at most `generation` cuts of each root: nodes of that generation, and
+  /// leaves of lower ones, from the first root to the last, first halves first. They fill the
+  /// domain, but need not conform. Levels that do follow from the order in which vertices were
+  /// made: docs/algorithms/adaptive.md, Multigrid. O(nodes up to there)
+  std::vector<NodeId> level(std::uint32_t generation) const;
 
  private:
   friend class Bisector;

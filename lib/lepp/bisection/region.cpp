@@ -59,28 +59,17 @@ bool segments_meet(Point a, Point b, Point c, Point d) {
   return abc * abd <= 0 && cda * cdb <= 0;
 }
 
-// Even-odd: how many sides a ray to the right crosses.
-bool contains(const PolygonArea& polygon, Point p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
-    Point a = polygon.corners[i], b = polygon.corners[(i + 1) % polygon.corners.size()];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (a.y > b.y) std::swap(a, b);
-    inside ^= orient2d(a, b, p) > 0;
-  }
-  return inside;
-}
-
 bool meets_polygon(const PolygonArea& polygon, const Corners& t) {
-  const std::vector<Point>& corners = polygon.corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Point a = corners[i], b = corners[(i + 1) % corners.size()];
+  const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
+  const auto [bottom, top] = std::minmax({t[0].y, t[1].y, t[2].y});
+  const auto is_met = [&](Point a, Point b) {
     if (contains(t, a)) return true;
     for (std::size_t k = 0; k < 3; ++k) {
       if (segments_meet(a, b, t[k], t[(k + 1) % 3])) return true;
     }
-  }
-  return contains(polygon, t[0]);
+    return false;
+  };
+  return polygon.any_side_near({left, bottom}, {right, top}, is_met) || polygon.contains(t[0]);
 }
 
 }  // namespace
@@ -101,13 +90,7 @@ double distance(const Region& region, Point p) {
     return std::sqrt(squared_distance(p, nearest));
   }
   const auto& polygon = std::get<PolygonArea>(region);
-  if (contains(polygon, p)) return 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
-    const Point b = polygon.corners[(i + 1) % polygon.corners.size()];
-    least = std::min(least, nearest_place(polygon.corners[i], b, p).squared_distance);
-  }
-  return std::sqrt(least);
+  return polygon.contains(p) ? 0 : std::sqrt(polygon.squared_distance_from_sides(p));
 }
 
 }  // namespace lepp

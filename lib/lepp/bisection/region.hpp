@@ -2,8 +2,8 @@
 
 #include <array>
 #include <variant>
-#include <vector>
 
+#include "lepp/bisection/polygon_area.hpp"
 #include "lepp/geometry/point.hpp"
 
 namespace lepp {
@@ -16,15 +16,11 @@ struct Disc {
 struct Box {
   Point low, high;  ///< low.x <= high.x, low.y <= high.y
 };
-/// What lies inside an odd number of times, where the chain of corners closes itself.
-struct PolygonArea {
-  std::vector<Point> corners;  ///< at least three
-};
 using Region = std::variant<Disc, Box, PolygonArea>;
 
 /// True if the closed triangle and the region have a point in common. Exact for the box and the
 /// polygon but for the rounding of coordinates, to rounding for the disc.
-/// \pre  `triangle` is counter-clockwise.  Cost O(1), for a polygon O(corners)
+/// \pre  `triangle` is counter-clockwise.  Cost O(1), for a polygon as said there
 bool meets(const Region& region, const std::array<Point, 3>& triangle);
 
 /// How far `p` is from the region, 0 inside. To rounding. Cost as above

@@ -98,7 +98,8 @@ struct TriangleTransferOptions {
 /// L2, of order 1. Each old triangle is cut by the new ones that it meets, which a walk finds.
 ///
 /// The integral over the domain, and over each region, is kept to rounding (1e-12 of the integral
-/// of the absolute value). Where both meshes cover the same area, constants stay, and new values
+/// of the absolute value). What follows holds to the rounding of areas, which in slivers no higher
+/// than some ulps of their coordinates is as large as the areas are. Where both meshes cover the same area, constants stay, and new values
 /// lie between the smallest and the largest old one. Elsewhere a new triangle that is partly
 /// outside the old mesh takes the mean over what is inside, one fully outside takes that of the
 /// nearest one that is not, counted in triangles, and what old triangles have is then divided among

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cassert>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "lepp/bisection/forest.hpp"
@@ -44,6 +46,20 @@ void transfer_triangles(const Refinement& refinement, std::vector<Value>& values
   for (const auto& [whole, other] : refinement.triangles) {
     assert(other.index() == values.size());
     values.push_back(Value(values[whole.index()]));
+  }
+}
+
+/// P0: a joined triangle gets what the caller makes of its halves: the larger mark, the union of
+/// two sets, a sum where values are amounts.
+/// \param join  (value of the first half, of the second one) -> value of the whole
+template <class Value, class Join>
+requires std::is_invocable_r_v<Value, Join&, const Value&, const Value&>
+void transfer_triangles(const Coarsening& coarsening, std::vector<Value>& values, Join join) {
+  for (const auto& [whole, other] : coarsening.triangles) {
+    values[whole.index()] =
+        join(std::as_const(values)[whole.index()], std::as_const(values)[other.index()]);
+    values[other.index()] = values.back();
+    values.pop_back();
   }
 }
 

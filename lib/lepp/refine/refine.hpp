@@ -36,6 +36,10 @@ struct RefineOptions {
   /// The longest edge wanted at a point, > 0 (infinite: as long as it likes); null asks for
   /// nothing. A SizeField keeps it from changing faster than a grading.
   std::function<double(Point)> size = {};
+  /// The longest edge wanted in a counter-clockwise triangle, > 0, where the size at points does
+  /// not say it all: sizes that hold in any triangle that meets a region, for example. The least
+  /// of both counts; null asks for nothing, and a SizeField as `size` needs none.
+  std::function<double(Point a, Point b, Point c)> size_in = {};
   Placement placement = Placement::offcentre;
   Effort effort = Effort::normal;
   ObtuseRule obtuse = ObtuseRule::split_first;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
@@ -40,7 +41,8 @@ SizeTest::SizeTest(const Mesh& mesh, const RefineOptions& options)
         make_bound(std::min(options.max_edge, s.max_edge), std::min(options.max_area, s.max_area)));
   }
   const auto is_limit = [](const Bound& b) { return std::isfinite(b.wanted_edge); };
-  any_ = options.size || is_limit(everywhere_) || std::ranges::any_of(by_region_, is_limit);
+  has_field_ = options.size || options.size_in;
+  any_ = has_field_ || is_limit(everywhere_) || std::ranges::any_of(by_region_, is_limit);
   points_ = options.size.target<SizeField>();
   if (options.size) answers_.resize(std::size_t{1} << memory_bits);
 }
@@ -50,21 +52,24 @@ SizeTest::Bound SizeTest::make_bound(double edge, double area) {
   return {edge * edge, area, std::min(share_of_edge * edge, by_area)};
 }
 
-double SizeTest::asked_field(Point p) const {
-  const double size = options_.size(p);
+double SizeTest::checked(double size, Point p) {
   if (size > 0) return size;
   throw InputError("size field at " + to_text(p), "is " + to_text(size), "give lengths above 0");
 }
 
 double SizeTest::field_at(Point p) const {
   Answer& answer = answers_[place_in_memory(p)];
-  if (!(answer.at == p) || !(answer.size > 0)) answer = {p, asked_field(p)};
+  if (!(answer.at == p) || !(answer.size > 0)) answer = {p, checked(options_.size(p), p)};
   return answer.size;
 }
 
 double SizeTest::squared_size_in(Point a, Point b, Point c) const {
   const Point centroid{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-  double size = std::min({field_at(centroid), field_at(a), field_at(b), field_at(c)});
+  double size = std::numeric_limits<double>::infinity();
+  if (options_.size) {
+    size = std::min({field_at(centroid), field_at(a), field_at(b), field_at(c)});
+  }
+  if (options_.size_in) size = std::min(size, checked(options_.size_in(a, b, c), centroid));
   if (points_ != nullptr) size = points_->least_within(a, b, c, size);
   return size * size;
 }
@@ -74,7 +79,7 @@ double SizeTest::excess(Point a, Point b, Point c, SurfaceId region) const {
   const double longest =
       std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
   double edge = limit.squared_edge;
-  if (options_.size) edge = std::min(edge, squared_size_in(a, b, c));
+  if (has_field_) edge = std::min(edge, squared_size_in(a, b, c));
   return std::max(longest / edge, signed_area(a, b, c) / limit.area);
 }
 

@@ -12,8 +12,8 @@ namespace lepp {
 
 /// Tests triangles against the sizes that are asked for: longest edge and area, of all, by region,
 /// and the longest edge by a field. The field is asked at the corners and at the centroid; the
-/// least of the four counts, and of the sizes of points in the triangle that hold around them, if
-/// the field is a SizeField.
+/// least of the four counts, and of what RefineOptions::size_in says, and of the sizes of points in
+/// the triangle that hold around them, if the field is a SizeField.
 class SizeTest {
  public:
   SizeTest(const Mesh& mesh, const RefineOptions& options);
@@ -32,7 +32,7 @@ class SizeTest {
     const double longest =
         std::max({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
     if (longest > limit.squared_edge || signed_area(a, b, c) > limit.area) return true;
-    return options_.size && longest > squared_size_in(a, b, c);
+    return has_field_ && longest > squared_size_in(a, b, c);
   }
   /// How many times too large, squared lengths or areas; at most 1 if it is not.
   double excess(Point a, Point b, Point c, SurfaceId region) const;
@@ -54,13 +54,13 @@ class SizeTest {
     return region.index() < by_region_.size() ? by_region_[region.index()] : everywhere_;
   }
   double field_at(Point p) const;
-  double asked_field(Point p) const;
+  static double checked(double size, Point p);
   double squared_size_in(Point a, Point b, Point c) const;
 
   const Mesh& mesh_;
   const RefineOptions& options_;
   const SizeField* points_ = nullptr;  // the field, if it is one of points
-  bool any_ = false;
+  bool any_ = false, has_field_ = false;
   Bound everywhere_;
   std::vector<Bound> by_region_;
   // What the field said lately: a vertex is asked about with each triangle around it.
