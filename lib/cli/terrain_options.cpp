@@ -102,6 +102,8 @@ void check_terrain_options(const TerrainCommand& c) {
   refuse(c.min_angle_deg && c.by == SimplifyBy::greedy, "--min-angle", "goes with --by lepp only");
   refuse(c.effort && c.by == SimplifyBy::greedy, "--effort", "goes with --by lepp only");
   refuse(c.nonobtuse && c.by == SimplifyBy::greedy, "--nonobtuse", "goes with --by lepp only");
+  refuse(c.nonobtuse && c.max_vertices, "--nonobtuse",
+         "adds vertices beyond any number asked for; give --max-error alone");
   refuse(c.nonobtuse && c.metric == TerrainMetric::surface, "--nonobtuse",
          "goes with --metric planar only");
   refuse(c.nonobtuse && c.asks_for_levels(), "--nonobtuse",

@@ -112,6 +112,7 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --levels 5,10", "must be errors that descend"},
       {"-o x.obj --max-error 5 --levels 2", "all above --max-error"},
       {"-o x.obj --max-error 1 --levels 5 --nonobtuse", "run without levels"},
+      {"-o x.obj --max-error 1 --max-vertices 50 --nonobtuse", "give --max-error alone"},
       {"-o x.obj --max-error 1 --border-error 2", "above --max-error"},
       {"-o x.obj --max-error 1 --picture x.gif", "name it .svg or .png"},
       {"-o x.obj --max-error 1 --cell 10", "--cell"},
@@ -307,6 +308,18 @@ TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
       run(folder.path(), "check t.msh --nonobtuse --admissible --delaunay --min-angle 30");
   CHECK(checked.status == 0);
   CHECK(has(checked.out, "read in plan, without its heights"));
+}
+
+TEST_CASE("heights of more digits than floats hold are counted against the error, or refused") {
+  const ScratchFolder folder;
+  std::ofstream(folder / "fine.asc") << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                                        "20000000 20000001\n20000000 20000001\n";
+  const Outcome refused = run(folder.path(), "terrain fine.asc -o t.obj --max-error 0");
+  CHECK(refused.status == 2);
+  CHECK(has(refused.err, "more digits than floats hold"));
+  const Outcome made = run(folder.path(), "terrain fine.asc -o t.obj --max-error 3");
+  CHECK(made.status == 0);
+  CHECK(has(made.out + made.err, "heights are kept as floats"));
 }
 
 TEST_CASE("the surface metric keeps the error, and lists what breaks its criterion") {

@@ -97,3 +97,52 @@ TEST_CASE("vertices that cut a line with heights of its own lie on it") {
   }
   CHECK(on_line > 2);
 }
+
+TEST_CASE("heights stay with their places in a TIN that is refined in spatial order") {
+  const HeightGrid grid = grid_of(180, 180, [](double x, double y) {  // nearly every sample counts
+    return std::fmod(7919 * x + 104729 * y, 97.0);
+  });
+  const TerrainDomain domain = rectangle(grid);
+  NonobtuseTinOptions options;
+  options.max_error = 2;
+  Tin before = simplified(grid, domain, 2);
+  REQUIRE(before.mesh.vertex_count() > 20000);
+  const NonobtuseTin made = make_nonobtuse(grid, domain, std::move(before), options);
+  CHECK(made.goal_reached);
+  CHECK(measure_error(grid, made.tin).max <= 2 + 1e-9);
+  CHECK(certify(made.in_world).admissible);
+}
+
+TEST_CASE("what is measured are the triangles of the result, also where four are on a circle") {
+  HeightGrid grid = grid_of(6, 5, [](double x, double y) { return std::fmod(5 * x + 3 * y, 7.0); });
+  grid.origin = {500000.1, 4649000.7};
+  grid.step_x = grid.cell_width = 6.7218;
+  grid.step_y = -6.0591;
+  grid.cell_height = 6.0591;
+  const TerrainDomain domain = terrain_domain(grid);
+  for (const double error : {0.0, 0.3, 0.6, 1.2, 2.5}) {
+    CAPTURE(error);
+    NonobtuseTinOptions options;
+    options.max_error = error;
+    const NonobtuseTin made =
+        make_nonobtuse(grid, domain, simplified(grid, domain, error), options);
+    CHECK(made.goal_reached);
+    Tin written{made.in_world, made.tin.heights};  // its triangles, back in grid space
+    for (std::size_t i = 0; i < written.mesh.vertex_count(); ++i) {
+      written.mesh.move_vertex(VertexId(i), made.tin.mesh.point(VertexId(i)));
+    }
+    CHECK(measure_error(grid, written).max <= error + 1e-9);
+  }
+}
+
+TEST_CASE("a line that is off by more than the error leaves the goal unreached") {
+  const HeightGrid grid = grid_of(4, 4, [](double, double) { return 0; });
+  DomainOptions lines;
+  lines.breaklines.push_back({{{0.5, -0.5}, {2.5, -2.5}}, {50, 50}, "line"});
+  const TerrainDomain domain = terrain_domain(grid, lines);
+  NonobtuseTinOptions options;
+  options.max_error = 1;
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 1), options);
+  CHECK_FALSE(made.goal_reached);
+  CHECK(validate(made.tin.mesh).valid());
+}

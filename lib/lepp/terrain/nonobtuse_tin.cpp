@@ -11,12 +11,32 @@
 #include "lepp/terrain/sample_space.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
 #include "lepp/triangulation/flip.hpp"
+#include "lepp/triangulation/locator.hpp"
 
 namespace lepp {
 
 namespace {
 
 constexpr std::size_t most_rounds = 50;
+
+// Heights by place: vertices get other numbers while a mesh is refined, but none moves.
+class HeightsByPlace {
+ public:
+  HeightsByPlace(const Mesh& mesh, const std::vector<double>& heights) {
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      list_.emplace_back(mesh.point(VertexId(i)), heights[i]);
+    }
+    std::ranges::sort(list_);
+  }
+  std::optional<double> at(Point p) const {
+    const auto found = std::ranges::lower_bound(list_, p, {}, &std::pair<Point, double>::first);
+    if (found == list_.end() || found->first != p) return std::nullopt;
+    return found->second;
+  }
+
+ private:
+  std::vector<std::pair<Point, double>> list_;
+};
 
 // The frame in which angles count: the world's, if its proportions are the true ones.
 class Frame {
@@ -53,6 +73,7 @@ class Work {
   Work(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
        const NonobtuseTinOptions& options)
       : grid_(grid), options_(options), frame_(grid), tin_(std::move(tin)) {
+    for (const double h : tin_.heights) largest_height_ = std::max(largest_height_, std::abs(h));
     for (std::size_t i = 0; i < domain.fixed_heights.size(); ++i) {
       const double height = domain.fixed_heights[i];
       if (!std::isnan(height)) hard_.emplace(domain.pslg.points[i], height);
@@ -67,8 +88,8 @@ class Work {
       refine_in_frame(result);
       ++result.rounds;
       if (!options_.keep_error || !result.goal_reached) break;
-      error_kept = !insert_samples();
-    } while (!error_kept && result.rounds < most_rounds);
+      error_kept = is_error_kept();
+    } while (!error_kept && result.rounds < most_rounds && insert_samples());
     result.goal_reached = result.goal_reached && (error_kept || !options_.keep_error);
     if (!frame_.is_world()) {
       in_frame_ = tin_.mesh;
@@ -89,13 +110,16 @@ class Work {
     asked.effort = Effort::fast;  // only adds vertices
     asked.max_vertices = options_.max_vertices;
     asked.progress = options_.progress;
+    const HeightsByPlace known(tin_.mesh, tin_.heights);
     const RefineReport refined = refine(tin_.mesh, asked);
     result.goal_reached = refined.goal_reached;
     result.unfinished = refined.unfinished;
     in_frame_ = tin_.mesh;
     move_all(tin_.mesh, [&](Point p) { return frame_.to_grid(p); });
-    for (std::size_t i = tin_.heights.size(); i < tin_.mesh.vertex_count(); ++i) {
-      tin_.heights.push_back(height_of(VertexId(i)));
+    tin_.heights.resize(tin_.mesh.vertex_count());
+    for (std::size_t i = 0; i < tin_.heights.size(); ++i) {
+      const auto height = known.at(in_frame_.point(VertexId(i)));
+      tin_.heights[i] = height ? *height : height_of(VertexId(i));
     }
   }
 
@@ -119,8 +143,16 @@ class Work {
     return low->second + part * (high->second - low->second);
   }
 
+  // Of the very triangles that the result has: where four corners are on a circle but for rounding,
+  // those in grid space could be others.
+  bool is_error_kept() const {
+    const double asked = options_.max_error;
+    return measure_error(grid_, tin_).max <= asked * (1 + 1e-9) + 1e-12 * largest_height_;
+  }
+
   // True if there was a sample to insert.
   bool insert_samples() {
+    const TerrainError error = measure_error(grid_, tin_);
     SimplifyOptions asked;
     asked.by = SimplifyBy::greedy;
     asked.max_error = options_.max_error;
@@ -135,13 +167,26 @@ class Work {
     TerrainMesh terrain(grid_, std::move(tin_), is_hard);
     Levels levels(grid_, asked, ignored);
     greedy(terrain, levels, errors);
+    if (terrain.mesh().vertex_count() == before) insert_worst(terrain, error);
     tin_ = terrain.take();
     return tin_.mesh.vertex_count() > before;
+  }
+
+  // Another diagonal of four corners on a circle hides what is off: the sample itself mends both.
+  void insert_worst(TerrainMesh& terrain, const TerrainError& error) {
+    if (options_.max_vertices > 0 && terrain.mesh().vertex_count() >= options_.max_vertices) return;
+    const std::uint32_t line = grid_.row_of_line(error.row);  // rows of lines: its own inverse
+    const Locator locator(terrain.mesh());
+    const auto place = locator.locate(grid_.sample(error.column, line));
+    if (!place) return;
+    std::vector<TriangleId> changed;
+    terrain.insert(place->triangle, {error.column, line}, changed);
   }
 
   const HeightGrid& grid_;
   const NonobtuseTinOptions& options_;
   Frame frame_;
+  double largest_height_ = 0;
   Tin tin_;        // in grid space, but while it is refined
   Mesh in_frame_;  // the same, as refine() left it
   std::map<Point, double> hard_;
