@@ -116,6 +116,10 @@ void check_terrain_options(const TerrainCommand& c) {
          "needs --max-error, by which the borders of tiles are made");
   refuse(has_tiles && c.max_vertices, "--max-vertices",
          "is of the whole and cannot go with --tiles");
+  const bool joins_tiles = c.tile_output != TileOutput::files;
+  refuse(joins_tiles && !has_tiles, "--tile-output", "goes with --tiles only");
+  refuse(c.tile_output == TileOutput::mesh && c.asks_for_levels(), "--tile-output",
+         "mesh joins the finest level alone; write levels as files");
   refuse(has_tiles && c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
   const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
   refuse(has_tiles && has_lines, "--tiles",

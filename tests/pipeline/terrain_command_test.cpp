@@ -104,6 +104,8 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --tiles 2", "ROWSxCOLUMNS"},
       {"-o x.obj --max-error 1 --tiles 0x2", "ROWSxCOLUMNS"},
       {"-o x.obj --max-vertices 100 --tiles 2x2", "needs --max-error"},
+      {"-o x.obj --max-error 1 --tile-output mesh", "goes with --tiles only"},
+      {"-o x.obj --max-error 1 --tiles 2x2 --tile-output mesh --levels 5", "write levels as files"},
       {"-o x.obj --max-error 1 --tiles 2x2 --nonobtuse", "borders of tiles"},
       {"-o x.obj --max-error 1 --by greedy --nonobtuse", "--by lepp only"},
       {"-o x.obj --max-error 1 --by greedy --min-angle 20", "--by lepp only"},
