@@ -161,3 +161,45 @@ TEST_CASE("near a border is nearer than twice its pieces there") {
   fix_borders(grid, 0, fine);  // pieces of one sample on hills
   CHECK_FALSE(NearBorder(grid, fine)({20, 32}));
 }
+
+TEST_CASE("an outline from one fixed side to another is cut where the error asks for it") {
+  const HeightGrid grid = grid_of(
+      3, 3, [](double x, double y) { return x == 2 ? double(no_data) : x * (y == 1 ? 9 : 5); });
+  TerrainDomain domain = terrain_domain(grid);
+  fix_borders(grid, 1, domain);
+  SimplifyOptions options;
+  options.max_error = 1;
+  for (const SimplifyBy by : {SimplifyBy::lepp, SimplifyBy::greedy}) {
+    options.by = by;
+    SimplifyReport report;
+    const Tin tin = simplify(grid, domain, options, report);
+    CHECK(measure_error(grid, tin).max <= 1);
+    CHECK(report.goal_reached);
+  }
+}
+
+TEST_CASE("fixed sides get no vertex, also where the outline meets them at a sharp angle") {
+  Random random(20261126);
+  std::size_t sharp = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    CAPTURE(trial);
+    const HeightGrid grid = grid_of(9, 8, [&](double, double) {
+      return random.below(4) == 0 ? double(no_data) : static_cast<double>(random.below(50));
+    });
+    TerrainDomain domain = terrain_domain(grid);
+    fix_borders(grid, 0, domain);
+    const double right = grid.columns - 1, top = grid.rows - 1;
+    const auto on_side = [&](Point p) {
+      return p.x == 0 || p.x == right || p.y == 0 || p.y == top;
+    };
+    SimplifyOptions options;
+    options.max_error = 5;
+    SimplifyReport report;
+    const Tin tin = simplify(grid, domain, options, report);
+    for (const Point p : tin.mesh.points()) {
+      if (on_side(p)) CHECK(std::ranges::find(domain.pslg.points, p) != domain.pslg.points.end());
+    }
+    for (const auto& u : report.unfinished) sharp += u.reason == Reason::kept_border ? 1 : 0;
+  }
+  CHECK(sharp > 0);  // some triangles do suffer, and say so
+}

@@ -171,6 +171,10 @@ bool LeppLoop::cut(HalfEdge e) {
   }
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
   if (cut_at_sample_near(e, midpoint(a, b))) return true;
+  if (!terrain_.may_cut_with_fan(e)) {
+    if (target_) at_kept_border_.push_back(mesh_.vertices(*target_));
+    return false;
+  }
   const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
   changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
   return !split.vertices.empty();

@@ -44,7 +44,7 @@ void SurfaceEditor::fill(TerrainMetric metric) {
 
 bool SurfaceEditor::cut(HalfEdge e, double least) {
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  if (!terrain_.may_cut(e) || squared_distance(a, b) < 4 * least * least) return false;
+  if (!terrain_.may_cut_with_fan(e) || squared_distance(a, b) < 4 * least * least) return false;
   const bool fan_at_a = fan_at(mesh_, e, mesh_.origin(e)).exists();
   const bool fan_at_b = fan_at(mesh_, e, mesh_.destination(e)).exists();
   if (fan_at_a != fan_at_b) return split_with_fan(e);

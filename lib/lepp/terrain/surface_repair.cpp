@@ -170,7 +170,7 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
 }
 
 bool SurfaceRepair::cut(TriangleId t, HalfEdge e, double least) {
-  if (!terrain_.may_cut(e)) note_kept_border(t);
+  if (!terrain_.may_cut_with_fan(e)) note_kept_border(t);
   return editor_.cut(e, least);
 }
 

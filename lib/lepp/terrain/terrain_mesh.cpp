@@ -11,6 +11,7 @@
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locate.hpp"
+#include "lepp/triangulation/sharp_vertex.hpp"
 #include "lepp/triangulation/spatial_order.hpp"
 #include "lepp/triangulation/split.hpp"
 #include "lepp/triangulation/split_constrained.hpp"
@@ -156,9 +157,27 @@ bool TerrainMesh::is_hard(HalfEdge e) const {
          state_.hard[mesh().destination(e).index()] != 0;
 }
 
+// An outline may lead from one side of the grid to another: its ends are kept, it is not.
 bool TerrainMesh::may_cut(HalfEdge e) const {
-  return !mesh().is_boundary(e) || state_.kept[mesh().origin(e).index()] == 0 ||
-         state_.kept[mesh().destination(e).index()] == 0;
+  const VertexId from = mesh().origin(e), to = mesh().destination(e);
+  if (!mesh().is_boundary(e) || state_.kept[from.index()] == 0 || state_.kept[to.index()] == 0) {
+    return true;
+  }
+  const Point a = mesh().point(from), b = mesh().point(to);
+  const Point corner = grid_.sample(grid_.columns - 1, grid_.rows - 1);
+  const bool beside = a.x == b.x && (a.x == 0 || a.x == corner.x);
+  const bool across = a.y == b.y && (a.y == 0 || a.y == corner.y);
+  return !beside && !across;
+}
+
+bool TerrainMesh::may_cut_with_fan(HalfEdge e) const {
+  if (!may_cut(e)) return false;
+  for (const VertexId v : {mesh().origin(e), mesh().destination(e)}) {
+    if (state_.kept[v.index()] == 0) continue;  // then no side that is kept ends there
+    const Fan fan = fan_at(mesh(), e, v);
+    if (!std::ranges::all_of(fan.edges, [&](HalfEdge f) { return may_cut(f); })) return false;
+  }
+  return true;
 }
 
 void TerrainMesh::add_heights() {

@@ -63,6 +63,8 @@ class TerrainMesh {
 
   /// False for sides of the domain that have to stay whole.
   bool may_cut(HalfEdge e) const;
+  /// The same for a cut by split_constrained_edge(), which cuts all edges of a fan.
+  bool may_cut_with_fan(HalfEdge e) const;
   /// True if the height of each place on `e` is asked for by a line.
   bool is_hard(HalfEdge e) const;
 
