@@ -238,7 +238,9 @@ class Run {
   // Two ways of interpolating differ by a trifle.
   bool is_kept(const TerrainError& error, double asked) const {
     const double largest = std::max(std::abs(report_lowest()), std::abs(report_highest()));
-    return error.max <= asked * (1 + 1e-9) + 1e-12 * largest;
+    const double in_world =
+        job_.nonobtuse ? rounding_in_world * (report_highest() - report_lowest()) : 0;
+    return error.max <= asked * (1 + 1e-9) + 1e-12 * largest + in_world;
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }

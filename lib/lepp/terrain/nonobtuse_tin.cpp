@@ -73,7 +73,8 @@ class Work {
   Work(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
        const NonobtuseTinOptions& options)
       : grid_(grid), options_(options), frame_(grid), tin_(std::move(tin)) {
-    for (const double h : tin_.heights) largest_height_ = std::max(largest_height_, std::abs(h));
+    const auto [low, high] = std::ranges::minmax(tin_.heights);
+    tolerance_ = rounding_in_world * (high - low) + 1e-12 * std::max(-low, high);
     for (std::size_t i = 0; i < domain.fixed_heights.size(); ++i) {
       const double height = domain.fixed_heights[i];
       if (!std::isnan(height)) hard_.emplace(domain.pslg.points[i], height);
@@ -146,8 +147,7 @@ class Work {
   // Of the very triangles that the result has: where four corners are on a circle but for rounding,
   // those in grid space could be others.
   bool is_error_kept() const {
-    const double asked = options_.max_error;
-    return measure_error(grid_, tin_).max <= asked * (1 + 1e-9) + 1e-12 * largest_height_;
+    return measure_error(grid_, tin_).max <= options_.max_error * (1 + 1e-9) + tolerance_;
   }
 
   // True if there was a sample to insert.
@@ -186,7 +186,7 @@ class Work {
   const HeightGrid& grid_;
   const NonobtuseTinOptions& options_;
   Frame frame_;
-  double largest_height_ = 0;
+  double tolerance_ = 0;
   Tin tin_;        // in grid space, but while it is refined
   Mesh in_frame_;  // the same, as refine() left it
   std::map<Point, double> hard_;

@@ -11,8 +11,12 @@
 
 namespace lepp {
 
+/// Vertices between samples are rounded in world coordinates, which moves heights by this part of
+/// their range at most: what the error may be off by.
+inline constexpr double rounding_in_world = 1e-8;
+
 struct NonobtuseTinOptions {
-  double max_error = 0;  ///< to be kept, >= 0
+  double max_error = 0;  ///< to be kept, >= 0, but for rounding_in_world
   bool keep_error = true;
   double min_angle_deg = 30;
   std::size_t max_vertices = 0;  ///< 0: the default budget of refine()
