@@ -109,7 +109,7 @@ class SecondThread {
   // rest takes many times one without, and on a virtual machine may cost the processor
   // (docs/benchmarks.md).
   static void await(const std::atomic<std::uint32_t>& count, std::uint32_t turn) {
-    constexpr int looks = 100;
+    constexpr int looks = 3000;
     for (int i = 0; i < looks; ++i) {
       if (count.load(std::memory_order_acquire) == turn) return;
       rest();
