@@ -1,6 +1,5 @@
 #include "validators.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -9,14 +8,6 @@
 namespace lepp::cli {
 
 namespace {
-
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 bool is_above_zero(std::string_view text) {
   const auto value = number_in<double>(text);

@@ -1,11 +1,23 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace lepp::cli {
+
+/// The number that `text` is, if all of it is one.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 /// What the values of options must be. Each message says what to give, in one line.
 CLI::Validator number_from(double least, double most);
