@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lepp/io/report.hpp"
+#include "lepp/io/report_lines.hpp"
 
 namespace lepp {
 
@@ -38,26 +39,10 @@ std::string table(const RunReport& report) {
   return text + '\n';
 }
 
-void add_line(std::string& text, std::string_view label, const std::string& value) {
-  text += fmt::format("{:<34}{}\n", label, value);
-}
-
-std::string answer(bool yes) { return yes ? "yes" : "no"; }
-
 // "3", or "3 (1 beyond 1e-9 degrees)" where rounding explains some of it.
 std::string count(const Quality::Count& c) {
   if (c.exact == c.tolerant) return fmt::format("{}", c.exact);
   return fmt::format("{} ({} beyond 1e-9 degrees)", c.exact, c.tolerant);
-}
-
-std::string reasons(const ReasonCounts& counts) {
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i],
-                        to_string(static_cast<Reason>(i)));
-  }
-  return text.empty() ? "0" : text;
 }
 
 std::string summary(const RunReport& report) {
@@ -74,7 +59,7 @@ std::string summary(const RunReport& report) {
            fmt::format("{:.2f} to {:.2f} degrees", q.min_angle_deg, q.max_angle_deg));
   if (report.goal_reached) {
     add_line(text, "goal reached", answer(*report.goal_reached));
-    add_line(text, "triangles below the bound", reasons(report.below_bound));
+    add_line(text, "triangles below the bound", counted<Reason>(report.below_bound));
   }
   add_line(text, "obtuse at constrained edges", count(q.obtuse_constrained));
   add_line(text, "obtuse triangles", count(q.obtuse_triangles));

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <string>
 
+#include "lepp/io/report_lines.hpp"
 #include "lepp/io/terrain_report.hpp"
 
 namespace lepp {
 
 namespace {
-
-void add_line(std::string& text, std::string_view label, const std::string& value) {
-  text += fmt::format("{:<34}{}\n", label, value);
-}
-
-std::string answer(bool yes) { return yes ? "yes" : "no"; }
 
 std::string place(const TerrainFigures& f) {
   return fmt::format("column {}, row {}: ({:.10g}, {:.10g})", f.error.column, f.error.row,
@@ -65,26 +60,10 @@ std::string histogram(const AngleHistogram& counts) {
   return text;
 }
 
-std::string reasons(const ReasonCounts& counts) {
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i],
-                        to_string(static_cast<Reason>(i)));
-  }
-  return text.empty() ? "0" : text;
-}
-
 std::string rules(const std::vector<KeptEdge>& edges) {
   std::array<std::size_t, 5> counts{};
   for (const KeptEdge& edge : edges) ++counts.at(static_cast<std::size_t>(edge.kept_by));
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i],
-                        to_string(static_cast<KeptBy>(i)));
-  }
-  return text.empty() ? "0" : text;
+  return counted<KeptBy>(counts);
 }
 
 std::string space_lines(const TerrainReport& r) {
@@ -111,7 +90,7 @@ std::string angle_lines(const TerrainReport& r) {
     add_line(text,
              fmt::format("triangles below {:.6g} degrees",
                          in_plan ? *r.min_angle_deg : r.in_space.plan_angle_deg),
-             reasons(r.below_bound));
+             counted<Reason>(r.below_bound));
   }
   if (r.admissible) {
     add_line(text, "obtuse at constrained edges", fmt::format("{}", r.obtuse_constrained));
