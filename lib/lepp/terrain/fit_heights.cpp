@@ -1,0 +1,221 @@
+#include "lepp/terrain/fit_heights.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "lepp/terrain/hard_heights.hpp"
+#include "lepp/terrain/sample_space.hpp"
+#include "lepp/terrain/triangle_scan.hpp"
+
+namespace lepp {
+
+namespace {
+
+// A sweep that lowers the sum of squares by less than this part of it is the last.
+constexpr double little_gain = 1e-4;
+// Weights below this are rounding: the sample is on the side across.
+constexpr double no_weight = 1e-9;
+
+// What a corner contributes to the height of a place in the triangle: 1 at the corner, 0 across.
+class Weight {
+ public:
+  Weight(const std::array<TerrainCorner, 3>& corners, std::size_t corner) {
+    const TerrainCorner& a = corners[corner];
+    const TerrainCorner& b = corners[(corner + 1) % 3];
+    const TerrainCorner& c = corners[(corner + 2) % 3];
+    const double area = (b.column - a.column) * (c.line - a.line) -
+                        (c.column - a.column) * (b.line - a.line);
+    per_column_ = (b.line - c.line) / area;
+    per_line_ = (c.column - b.column) / area;
+    at_zero_ = -per_column_ * b.column - per_line_ * b.line;
+  }
+  double operator()(double column, double line) const {
+    return at_zero_ + per_column_ * column + per_line_ * line;
+  }
+  double per_column() const { return per_column_; }
+
+ private:
+  double per_column_, per_line_, at_zero_;
+};
+
+// The least squares problem: the sum over samples of (H - sum of weights * heights)^2 has a sparse
+// matrix with an entry for each vertex and each edge. Edges are kept by triangle, each side's
+// samples in one of its two.
+class Fit {
+ public:
+  Fit(const HeightGrid& grid, Tin& tin, const FitOptions& options)
+      : grid_(grid), tin_(tin), options_(options), space_(grid), spans_(grid) {
+    list_stars();
+    diagonal_.resize(tin.heights.size());
+    right_.resize(tin.heights.size());
+    across_.resize(tin.mesh.triangle_count());
+    for (std::size_t i = 0; i < across_.size(); ++i) add_triangle(TriangleId(i));
+  }
+
+  std::size_t run() {
+    std::size_t sweeps = 0;
+    double gain = 0;
+    do {
+      gain = 0;
+      for (std::size_t i = 0; i < tin_.heights.size(); ++i) gain += improve(VertexId(i));
+      ++sweeps;
+      squares_ -= gain;
+    } while (gain > little_gain * squares_ && sweeps < options_.max_sweeps &&
+             (!options_.go_on || options_.go_on()));
+    return sweeps;
+  }
+
+ private:
+  // A vertex with several fans has all of their triangles.
+  void list_stars() {
+    const Mesh& mesh = tin_.mesh;
+    first_.assign(mesh.vertex_count() + 1, 0);
+    for (const Triangle& t : mesh.triangles()) {
+      for (const VertexId v : t.vertices) ++first_[v.index() + 1];
+    }
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    star_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+      for (const VertexId v : mesh.triangles()[i].vertices) {
+        star_[next[v.index()]++] = TriangleId(i);
+      }
+    }
+  }
+
+  std::array<TerrainCorner, 3> corners(TriangleId t) const {
+    std::array<TerrainCorner, 3> corners;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const VertexId v = tin_.mesh.vertex(t, k);
+      corners[k] = space_.corner(tin_.mesh.point(v), tin_.heights[v.index()]);
+    }
+    return corners;
+  }
+
+  const float* heights(const ScanSpan& span) const {
+    return &grid_.heights[grid_.index(span.first, grid_.row_of_line(span.line))];
+  }
+
+  void add_triangle(TriangleId t) {
+    const std::array<TerrainCorner, 3> at = corners(t);
+    const std::array<Weight, 3> weights = {Weight(at, 0), Weight(at, 1), Weight(at, 2)};
+    spans_(at, [&](const ScanSpan& span) {
+      const float* heights = this->heights(span);
+      for (std::uint32_t column = span.first; column <= span.last; ++column) {
+        const double height = heights[column - span.first];
+        if (std::isnan(height)) continue;
+        std::array<double, 3> w;
+        for (std::size_t k = 0; k < 3; ++k) w[k] = weights[k](column, span.line);
+        if (is_counted(t, w)) add_sample(t, w, height, span.height + span.slope * (column - span.first));
+      }
+      return true;
+    });
+  }
+
+  // A sample on a side counts in the triangle with the lower number, one at a vertex in the first
+  // of its star.
+  bool is_counted(TriangleId t, const std::array<double, 3>& w) const {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (w[k] > 1 - no_weight) return star_[first_[tin_.mesh.vertex(t, k).index()]] == t;
+    }
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (w[k] >= no_weight) continue;
+      const auto twin = tin_.mesh.twin({t, k});
+      return !twin || t < twin->triangle;
+    }
+    return true;
+  }
+
+  void add_sample(TriangleId t, const std::array<double, 3>& w, double height, double found) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::size_t v = tin_.mesh.vertex(t, k).index();
+      diagonal_[v] += w[k] * w[k];
+      right_[v] += w[k] * height;
+      across_[t.index()][k] += w[(k + 1) % 3] * w[(k + 2) % 3];
+    }
+    squares_ += (height - found) * (height - found);
+  }
+
+  // Moves one height to where the sum is least, or as far towards it as the bound allows.
+  // Returns by how much the sum of squares is less.
+  double improve(VertexId v) {
+    const std::size_t i = v.index();
+    if (diagonal_[i] == 0 || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
+    double rest = right_[i] - diagonal_[i] * tin_.heights[i];
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) rest -= from_neighbours(star_[k], v);
+    const double best = rest / diagonal_[i];
+    double step = best;
+    for (std::size_t k = first_[i]; k < first_[i + 1] && step != 0; ++k) {
+      step = allowed(star_[k], v, step);
+    }
+    tin_.heights[i] += step;
+    return diagonal_[i] * step * (2 * best - step);
+  }
+
+  double from_neighbours(TriangleId t, VertexId v) const {
+    const std::uint32_t k = corner_of(t, v);
+    const std::uint32_t next = next_corner(k), previous = previous_corner(k);
+    const auto height = [&](std::uint32_t c) { return tin_.heights[tin_.mesh.vertex(t, c).index()]; };
+    const std::array<double, 3>& across = across_[t.index()];
+    return across[previous] * height(next) + across[next] * height(previous);
+  }
+
+  std::uint32_t corner_of(TriangleId t, VertexId v) const {
+    const auto& vertices = tin_.mesh.triangles()[t.index()].vertices;
+    return vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2;
+  }
+
+  // How much of a step no sample of the triangle forbids. One that is beyond the bound already, by
+  // rounding or because it was so, only must not come farther off.
+  double allowed(TriangleId t, VertexId v, double step) const {
+    const std::array<TerrainCorner, 3> at = corners(t);
+    const Weight weight(at, corner_of(t, v));
+    const double sign = step > 0 ? 1 : -1;
+    double length = std::abs(step);
+    spans_(at, [&](const ScanSpan& span) {
+      const float* heights = this->heights(span);
+      const double start = weight(span.first, span.line);
+      for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+        const double above = sign * (span.height + span.slope * i - heights[i]);
+        const double w = start + weight.per_column() * i;
+        if (!(above + w * length > options_.max_error) || w < no_weight) continue;
+        length = std::max(0.0, (options_.max_error - above) / w);
+      }
+      return length > 0;
+    });
+    return sign * length;
+  }
+
+  const HeightGrid& grid_;
+  Tin& tin_;
+  const FitOptions& options_;
+  SampleSpace space_;
+  TriangleSpans spans_;
+  std::vector<std::size_t> first_;  // by vertex, into star_
+  std::vector<TriangleId> star_;
+  std::vector<double> diagonal_, right_;        // by vertex
+  std::vector<std::array<double, 3>> across_;  // by triangle: entry of the side across a corner
+  double squares_ = 0;
+};
+
+}  // namespace
+
+std::size_t fit_heights(const HeightGrid& grid, Tin& tin, const FitOptions& options) {
+  return Fit(grid, tin, options).run();
+}
+
+std::vector<bool> fixed_vertices(const HeightGrid& grid, const TerrainDomain& domain,
+                                 const Mesh& mesh) {
+  const HardHeights hard(domain);
+  const Point corner = grid.sample(grid.columns - 1, grid.rows - 1);
+  std::vector<bool> fixed(mesh.vertex_count(), false);
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    const Point p = mesh.point(VertexId(i));
+    const bool on_border = p.x == 0 || p.y == 0 || p.x == corner.x || p.y == corner.y;
+    fixed[i] = (on_border && !domain.kept_border.empty()) || hard.at(mesh, VertexId(i)).has_value();
+  }
+  return fixed;
+}
+
+}  // namespace lepp
