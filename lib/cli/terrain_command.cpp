@@ -84,6 +84,7 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   job.domain = domain_options(command, grid, warnings);
   job.claims_error = !command.max_error.empty();
   job.nonobtuse = command.nonobtuse;
+  job.fit_heights = command.fit_heights;
   const double reading = seconds_since(start);
   MadeTerrain made = make_terrain(grid, {grid}, job);
   const int status = status_of(made.report);
@@ -165,6 +166,10 @@ void add_goals(CLI::App& app, TerrainCommand& command) {
                  "numbers of vertices of coarser levels, ascending")
       ->delimiter(',')
       ->check(whole_number_from(3));
+  app.add_flag(
+      "--fit-heights", command.fit_heights,
+      "Move the heights of vertices, within the bound, to where the root mean square of the "
+      "error is least");
   app.add_flag("--nonobtuse", command.nonobtuse,
                "leave no obtuse angle opposite an edge of the outline, so that the Voronoi boxes "
                "are admissible for finite volumes");

@@ -99,6 +99,8 @@ void check_terrain_options(const TerrainCommand& c) {
          "goes with --metric planar only");
   refuse(c.nonobtuse && c.asks_for_levels(), "--nonobtuse",
          "moves no vertex but adds some, which levels cannot share; run without levels");
+  refuse(c.fit_heights && c.metric == TerrainMetric::surface, "--fit-heights",
+         "would bend the surface that --metric surface measures in; it goes with planar only");
   refuse(c.by == SimplifyBy::greedy && c.metric == TerrainMetric::surface, "--metric",
          "surface goes with --by lepp only");
   const TileCounts tiles = c.tile_counts();

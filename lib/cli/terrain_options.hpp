@@ -51,7 +51,7 @@ struct TerrainCommand {
   std::filesystem::path picture;
   double picture_width = 1000;
   std::string json;
-  bool nonobtuse = false, allow_unfinished = false, quiet = false;
+  bool nonobtuse = false, fit_heights = false, allow_unfinished = false, quiet = false;
 
   HeightGridOptions grid_options() const;
   TileCounts tile_counts() const;

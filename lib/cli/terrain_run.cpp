@@ -7,6 +7,7 @@
 
 #include "interrupt.hpp"
 #include "lepp/geometry/text.hpp"
+#include "lepp/terrain/fit_heights.hpp"
 #include "lepp/terrain/nonobtuse_tin.hpp"
 #include "lepp/terrain/surface_simplify.hpp"
 #include "lepp/terrain/validate_surface.hpp"
@@ -56,6 +57,7 @@ class Run {
     if (job_.nonobtuse && !interrupted()) {
       report().seconds.nonobtuse = timed([&] { make_admissible(); });
     }
+    if (job_.fit_heights) report().seconds.fit = timed([&] { fit_all(); });
     for (MadeTin& level : made_.coarser) finish(level);
     finish(made_.finest);
     judge_finest();
@@ -141,6 +143,21 @@ class Run {
     report().warnings.push_back(
         "the file's coordinates have not the proportions of the cells, so the mesh is admissible "
         "after scaling them, not in the file");
+  }
+
+  // A level may come as far off as it was, the finest as far as was asked for.
+  void fit_all() {
+    for (MadeTin& level : made_.coarser) fit(level, 0);
+    fit(made_.finest, job_.claims_error ? job_.simplify.max_error : 0);
+  }
+
+  void fit(MadeTin& made, double max_error) {
+    made.figures.unfitted = measure_error(grid_, made.tin);
+    FitOptions options;
+    options.max_error = std::max(max_error, made.figures.unfitted->max);
+    options.is_fixed = fixed_vertices(grid_, domain_, made.tin.mesh);
+    options.go_on = [] { return !interrupted(); };
+    fit_heights(grid_, made.tin, options);
   }
 
   // Beside borders that must not be cut, the angle bound is out of reach of any method.
@@ -273,15 +290,12 @@ double joined_mean(double a, std::size_t n, double b, std::size_t m) {
   return all > 0 ? (a * static_cast<double>(n) + b * static_cast<double>(m)) / all : 0;
 }
 
-void add_to(TerrainFigures& whole, const TerrainFigures& part) {
-  TerrainError& e = whole.error;
-  const TerrainError& p = part.error;
+void add_to(TerrainError& e, const TerrainError& p) {
   const double mean_square = joined_mean(e.rms * e.rms, e.samples, p.rms * p.rms, p.samples);
   if (p.max > e.max || e.samples == 0) {
     e.max = p.max;
     e.column = p.column;
     e.row = p.row;
-    whole.error_at = part.error_at;
   }
   e.highest = std::max(e.highest, p.highest);
   e.lowest = std::min(e.lowest, p.lowest);
@@ -289,6 +303,15 @@ void add_to(TerrainFigures& whole, const TerrainFigures& part) {
   e.samples += p.samples;
   e.lost += p.lost;
   e.covered += p.covered;
+}
+
+void add_to(TerrainFigures& whole, const TerrainFigures& part) {
+  if (part.error.max > whole.error.max || whole.error.samples == 0) whole.error_at = part.error_at;
+  add_to(whole.error, part.error);
+  if (part.unfitted) {
+    if (!whole.unfitted) whole.unfitted.emplace();
+    add_to(*whole.unfitted, *part.unfitted);
+  }
   whole.vertices += part.vertices;
   whole.triangles += part.triangles;
 }
@@ -298,6 +321,7 @@ void add_to(TerrainSeconds& whole, const TerrainSeconds& part) {
   whole.domain += part.domain;
   whole.simplify += part.simplify;
   whole.nonobtuse += part.nonobtuse;
+  whole.fit += part.fit;
   whole.measure += part.measure;
   whole.check += part.check;
   whole.write += part.write;

@@ -18,6 +18,7 @@ struct TerrainJob {
   BorderCorners border_corners = {};   ///< of a tile
   bool claims_error = true;            ///< max_error was asked for
   bool nonobtuse = false;
+  bool fit_heights = false;
 };
 
 /// A TIN with what was found out about it.

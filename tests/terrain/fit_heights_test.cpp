@@ -16,7 +16,8 @@ struct Made {
   Tin tin;
 };
 
-Made made(const HeightGrid& grid, double max_error, SimplifyBy by, const DomainOptions& lines = {}) {
+Made made(const HeightGrid& grid, double max_error, SimplifyBy by,
+          const DomainOptions& lines = {}) {
   Made made;
   made.domain = terrain_domain(grid, lines);
   SimplifyOptions options;
@@ -29,7 +30,9 @@ Made made(const HeightGrid& grid, double max_error, SimplifyBy by, const DomainO
 }
 
 // The sum of squares over samples, each counted once.
-double squares(const HeightGrid& grid, const Tin& tin) { return plain_error(grid, tin).sum_of_squares; }
+double squares(const HeightGrid& grid, const Tin& tin) {
+  return plain_error(grid, tin).sum_of_squares;
+}
 
 }  // namespace
 

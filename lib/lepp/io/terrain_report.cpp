@@ -27,6 +27,12 @@ Json error(const TerrainFigures& figures) {
           {"lost", e.lost},       {"covered", e.covered}};
 }
 
+// Before the heights were fitted to the grid.
+Json unfitted(const TerrainFigures& figures) {
+  if (!figures.unfitted) return {};
+  return {{"max", figures.unfitted->max}, {"rms", figures.unfitted->rms}};
+}
+
 Json list_of(const std::vector<TerrainFigures>& list) {
   Json json = Json::array();
   for (const TerrainFigures& figures : list) {
@@ -34,7 +40,8 @@ Json list_of(const std::vector<TerrainFigures>& list) {
                     {"output", figures.output},
                     {"vertices", figures.vertices},
                     {"triangles", figures.triangles},
-                    {"error", error(figures)}});
+                    {"error", error(figures)},
+                    {"unfitted_error", unfitted(figures)}});
   }
   return json;
 }
@@ -73,9 +80,9 @@ Json in_space(const TerrainReport& r) {
 }
 
 Json seconds(const TerrainSeconds& s) {
-  return {{"read", s.read},           {"domain", s.domain},   {"simplify", s.simplify},
-          {"nonobtuse", s.nonobtuse}, {"measure", s.measure}, {"check", s.check},
-          {"write", s.write},         {"total", s.total}};
+  return {{"read", s.read},           {"domain", s.domain}, {"simplify", s.simplify},
+          {"nonobtuse", s.nonobtuse}, {"fit", s.fit},       {"measure", s.measure},
+          {"check", s.check},         {"write", s.write},   {"total", s.total}};
 }
 
 }  // namespace
@@ -104,6 +111,7 @@ std::string to_json(const TerrainReport& r) {
   json["vertices"] = r.whole.vertices;
   json["triangles"] = r.whole.triangles;
   json["error"] = error(r.whole);
+  json["unfitted_error"] = unfitted(r.whole);
   json["levels"] = list_of(r.levels);
   json["tiles"] = list_of(r.tiles);
   json["min_angle_deg"] = r.min_angle_deg_found;

@@ -13,8 +13,8 @@ namespace lepp {
 
 /// Wall-clock time of each part of a terrain run. Parts that did not run are 0.
 struct TerrainSeconds {
-  double read = 0, domain = 0, simplify = 0, nonobtuse = 0, measure = 0, check = 0, write = 0,
-         total = 0;
+  double read = 0, domain = 0, simplify = 0, nonobtuse = 0, fit = 0, measure = 0, check = 0,
+         write = 0, total = 0;
 };
 
 /// A TIN that a run made: one per level of detail, or per tile.
@@ -24,6 +24,7 @@ struct TerrainFigures {
   std::size_t vertices = 0, triangles = 0;
   TerrainError error;
   Point error_at;  ///< world coordinates of the sample
+  std::optional<TerrainError> unfitted;  ///< before heights were fitted, if they were
 };
 
 /// How many triangles have their smallest angle from 5 i to 5 (i + 1) degrees.

@@ -42,6 +42,10 @@ std::string error_lines(const TerrainReport& r) {
   add_line(text, "  at", place(r.whole));
   add_line(text, "  grid above, grid below, RMS",
            fmt::format("{:.6g}, {:.6g}, {:.6g}", e.highest, -e.lowest, e.rms));
+  if (const auto& before = r.whole.unfitted) {
+    add_line(text, "before heights were fitted",
+             fmt::format("largest {:.6g}, RMS {:.6g}", before->max, before->rms));
+  }
   add_line(text, "samples checked", fmt::format("{}", e.samples));
   add_line(text, "samples lost, nodata covered", fmt::format("{}, {}", e.lost, e.covered));
   if (r.error_kept) add_line(text, "error kept", answer(*r.error_kept));
@@ -102,11 +106,11 @@ std::string angle_lines(const TerrainReport& r) {
 std::string costs(const TerrainReport& r) {
   const TerrainSeconds& s = r.seconds;
   std::string text;
-  add_line(
-      text, "seconds",
-      fmt::format("{:.3f} (read {:.3f}, domain {:.3f}, simplify {:.3f}, nonobtuse {:.3f}, "
-                  "measure {:.3f}, check {:.3f}, write {:.3f})",
-                  s.total, s.read, s.domain, s.simplify, s.nonobtuse, s.measure, s.check, s.write));
+  add_line(text, "seconds",
+           fmt::format("{:.3f} (read {:.3f}, domain {:.3f}, simplify {:.3f}, nonobtuse {:.3f}, "
+                       "fit {:.3f}, measure {:.3f}, check {:.3f}, write {:.3f})",
+                       s.total, s.read, s.domain, s.simplify, s.nonobtuse, s.fit, s.measure,
+                       s.check, s.write));
   add_line(text, "peak memory",
            fmt::format("{:.1f} MB", static_cast<double>(r.peak_memory_bytes) / 1e6));
   return text;

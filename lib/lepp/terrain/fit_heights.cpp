@@ -24,8 +24,8 @@ class Weight {
     const TerrainCorner& a = corners[corner];
     const TerrainCorner& b = corners[(corner + 1) % 3];
     const TerrainCorner& c = corners[(corner + 2) % 3];
-    const double area = (b.column - a.column) * (c.line - a.line) -
-                        (c.column - a.column) * (b.line - a.line);
+    const double area =
+        (b.column - a.column) * (c.line - a.line) - (c.column - a.column) * (b.line - a.line);
     per_column_ = (b.line - c.line) / area;
     per_line_ = (c.column - b.column) / area;
     at_zero_ = -per_column_ * b.column - per_line_ * b.line;
@@ -107,7 +107,8 @@ class Fit {
         if (std::isnan(height)) continue;
         std::array<double, 3> w;
         for (std::size_t k = 0; k < 3; ++k) w[k] = weights[k](column, span.line);
-        if (is_counted(t, w)) add_sample(t, w, height, span.height + span.slope * (column - span.first));
+        if (is_counted(t, w))
+          add_sample(t, w, height, span.height + span.slope * (column - span.first));
       }
       return true;
     });
@@ -156,7 +157,9 @@ class Fit {
   double from_neighbours(TriangleId t, VertexId v) const {
     const std::uint32_t k = corner_of(t, v);
     const std::uint32_t next = next_corner(k), previous = previous_corner(k);
-    const auto height = [&](std::uint32_t c) { return tin_.heights[tin_.mesh.vertex(t, c).index()]; };
+    const auto height = [&](std::uint32_t c) {
+      return tin_.heights[tin_.mesh.vertex(t, c).index()];
+    };
     const std::array<double, 3>& across = across_[t.index()];
     return across[previous] * height(next) + across[next] * height(previous);
   }
@@ -194,7 +197,7 @@ class Fit {
   TriangleSpans spans_;
   std::vector<std::size_t> first_;  // by vertex, into star_
   std::vector<TriangleId> star_;
-  std::vector<double> diagonal_, right_;        // by vertex
+  std::vector<double> diagonal_, right_;       // by vertex
   std::vector<std::array<double, 3>> across_;  // by triangle: entry of the side across a corner
   double squares_ = 0;
 };

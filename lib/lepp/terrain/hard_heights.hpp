@@ -8,7 +8,8 @@
 
 namespace lepp {
 
-/// The heights that hard breaklines ask for, at their points and along them, in any TIN of a domain.
+/// The heights that hard breaklines ask for, at their points and along them, in any TIN of a
+/// domain.
 class HardHeights {
  public:
   explicit HardHeights(const TerrainDomain& domain);
