@@ -26,11 +26,7 @@ double timed(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// From the grid space of a window to that of the whole grid.
-Tin shifted(Tin tin, const HeightGrid& window, const GridPlace& place) {
-  const std::uint32_t line =
-      window.north_first() ? place.whole.rows - place.row - window.rows : place.row;
-  const Point shift{double(place.column), double(line) * window.aspect()};
+Tin shifted(Tin tin, const Point shift) {
   if (shift == Point{0, 0}) return tin;
   for (std::size_t i = 0; i < tin.mesh.vertex_count(); ++i) {
     tin.mesh.move_vertex(VertexId(i), tin.mesh.point(VertexId(i)) + shift);
@@ -168,7 +164,7 @@ class Run {
     const std::uint32_t row = figures.error.row;
     figures.error_at = place_.whole.to_world(place_.whole.sample(
         figures.error.column, place_.whole.north_first() ? place_.whole.rows - 1 - row : row));
-    made.world = to_world(shifted(made.tin, grid_, place_), place_.whole);
+    made.world = to_world(shifted(made.tin, shift_of(grid_, place_)), place_.whole);
     if (is_finest && in_world_) made.world.mesh = std::move(*in_world_);
     const bool world_counts = is_finest && job_.nonobtuse && judged_in_world_;
     MeshClaims claims = is_finest ? claims_of_finest() : MeshClaims();
@@ -305,6 +301,12 @@ void add_to(TerrainSeconds& whole, const TerrainSeconds& part) {
 
 }  // namespace
 
+Point shift_of(const HeightGrid& window, const GridPlace& place) {
+  const std::uint32_t line =
+      window.north_first() ? place.whole.rows - place.row - window.rows : place.row;
+  return {double(place.column), double(line) * window.aspect()};
+}
+
 MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job) {
   return Run(grid, place, job)();
 }
@@ -340,7 +342,10 @@ void add_to(TerrainReport& whole, const TerrainReport& part) {
   whole.goal_reached = (is_first || whole.goal_reached) && part.goal_reached;
   whole.valid = whole.valid && part.valid;
   if (part.error_kept) whole.error_kept = whole.error_kept.value_or(true) && *part.error_kept;
+  whole.samples += part.samples;
   add_to(whole.whole, part.whole);
+  if (is_first) whole.levels.resize(part.levels.size());
+  for (std::size_t i = 0; i < whole.levels.size(); ++i) add_to(whole.levels[i], part.levels[i]);
   add_to(whole.seconds, part.seconds);
   for (const std::string& w : part.warnings) {
     if (std::ranges::find(whole.warnings, w) == whole.warnings.end()) whole.warnings.push_back(w);
@@ -362,6 +367,19 @@ void describe(const HeightGrid& grid, TerrainReport& report) {
   if (report.samples == 0) return;
   report.lowest = low;
   report.highest = high;
+}
+
+void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report) {
+  const SimplifyOptions& options = job.simplify;
+  report.by = options.by == SimplifyBy::lepp ? "lepp" : "greedy";
+  report.metric = options.metric == TerrainMetric::planar ? "planar" : "surface";
+  if (!command.max_error.empty()) report.max_error = options.max_error;
+  report.border_error = job.border_error;
+  report.max_vertices = command.max_vertices;
+  if (options.by == SimplifyBy::lepp) report.min_angle_deg = options.min_angle_deg;
+  report.window = command.grid_window();
+  const TileCounts tiles = command.tile_counts();
+  if (command.has_tiles()) report.tiling = {tiles.rows, tiles.columns};
 }
 
 }  // namespace lepp::cli

@@ -27,7 +27,7 @@ Json error(const TerrainFigures& figures) {
           {"lost", e.lost},       {"covered", e.covered}};
 }
 
-Json list_of(const std::vector<TerrainFigures>& list) {
+Json list_of(const std::vector<TerrainFigures>& list, bool with_problems) {
   Json json = Json::array();
   for (const TerrainFigures& figures : list) {
     json.push_back({{"name", figures.name},
@@ -35,8 +35,14 @@ Json list_of(const std::vector<TerrainFigures>& list) {
                     {"vertices", figures.vertices},
                     {"triangles", figures.triangles},
                     {"error", error(figures)}});
+    if (!with_problems) continue;
+    json.back()["problem"] = figures.problem.empty() ? Json() : Json(figures.problem);
   }
   return json;
+}
+
+Json numbers_of(const std::optional<GridWindow>& w) {
+  return w ? Json({w->column, w->row, w->columns, w->rows}) : Json();
 }
 
 Json below_bound(const ReasonCounts& counts) {
@@ -51,8 +57,11 @@ Json asked_for(const TerrainReport& r) {
   return {{"by", r.by},
           {"metric", r.metric},
           {"max_error", optional(r.max_error)},
+          {"border_error", optional(r.border_error)},
           {"max_vertices", optional(r.max_vertices)},
-          {"min_angle_deg", optional(r.min_angle_deg)}};
+          {"min_angle_deg", optional(r.min_angle_deg)},
+          {"window", numbers_of(r.window)},
+          {"tiles", optional(r.tiling)}};
 }
 
 Json place(Point p) { return {p.x, p.y}; }
@@ -104,8 +113,8 @@ std::string to_json(const TerrainReport& r) {
   json["vertices"] = r.whole.vertices;
   json["triangles"] = r.whole.triangles;
   json["error"] = error(r.whole);
-  json["levels"] = list_of(r.levels);
-  json["tiles"] = list_of(r.tiles);
+  json["levels"] = list_of(r.levels, false);
+  json["tiles"] = list_of(r.tiles, true);
   json["min_angle_deg"] = r.min_angle_deg_found;
   json["mean_min_angle_deg"] = r.mean_min_angle_deg;
   json["max_angle_deg"] = r.max_angle_deg_found;
