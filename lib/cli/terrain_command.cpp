@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/raster_layout.hpp"
 #include "terrain_files.hpp"
 #include "terrain_options.hpp"
 #include "terrain_run.hpp"
@@ -49,6 +50,7 @@ Piece read_piece(const TerrainCommand& command) {
   }
   piece.whole = read_height_grid_header(command.input, command.grid_options());
   piece.window = *window;
+  grid_of_window(*piece.whole, *window);  // throws if it sticks out
   if (command.border_error.empty()) {
     piece.grid = read_height_window(command.input, *window, command.grid_options());
   } else {  // as a tile: neighbours are windows too
