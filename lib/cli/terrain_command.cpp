@@ -9,6 +9,7 @@
 #include "lepp/io/raster_layout.hpp"
 #include "terrain_files.hpp"
 #include "terrain_options.hpp"
+#include "terrain_reports.hpp"
 #include "terrain_run.hpp"
 #include "terrain_tiles.hpp"
 #include "validators.hpp"
@@ -90,9 +91,9 @@ void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& 
 
 int run_whole(const TerrainCommand& command, TerrainReport& report) {
   const auto start = Clock::now();
-  check_terrain_files(command, {});
+  check_terrain_files(command);
   const Piece piece = read_piece(command);
-  check_terrain_files(command, piece.grid.crs);
+  check_terrain_files(command, piece.place().whole);
   std::vector<std::string> warnings = piece.place().whole.warnings;
   const TerrainJob job = job_of(command, piece, warnings);
   const double reading = seconds_since(start);

@@ -62,11 +62,27 @@ Files targets_of(const TerrainCommand& command, bool has_crs) {
   return targets;
 }
 
+// The same for all names of a file.
+fs::path place_of(const fs::path& file) {
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(file), error);
+}
+
+std::set<fs::path> places_of(const std::vector<std::string>& files) {
+  std::set<fs::path> places;
+  for (const std::string& file : files) places.insert(place_of(file));
+  return places;
+}
+
+void refuse_part(const fs::path& target, const std::set<fs::path>& parts) {
+  if (!parts.contains(place_of(target))) return;
+  throw OutputError(target.string(), "is also a part of the input", "choose another name");
+}
+
 void refuse_the_same_twice(const Files& targets) {
   std::set<fs::path> seen;
-  std::error_code error;
   for (const fs::path& target : targets) {
-    if (seen.insert(fs::weakly_canonical(fs::absolute(target), error)).second) continue;
+    if (seen.insert(place_of(target)).second) continue;
     throw OutputError(target.string(), "is named for two outputs", "choose another name");
   }
 }
@@ -83,13 +99,17 @@ std::string tile_suffix(std::uint32_t row, std::uint32_t column) {
   return "_" + std::to_string(row) + "_" + std::to_string(column);
 }
 
-void check_terrain_files(const TerrainCommand& command, const std::string& crs) {
-  const Files inputs = inputs_of(command), targets = targets_of(command, !crs.empty());
+void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid) {
+  const Files inputs = inputs_of(command), targets = targets_of(command, !grid.crs.empty());
+  const std::set<fs::path> parts = places_of(grid.files);
   for (const fs::path& target : targets) {
-    if (!is_prj_of(target, crs)) check_target(target, inputs, command.output.force);
+    if (is_prj_of(target, grid.crs)) continue;
+    check_target(target, inputs, command.output.force);
+    refuse_part(target, parts);
   }
   refuse_the_same_twice(targets);
   check_report_target(command.json, inputs, targets);
+  if (!command.json.empty() && command.json != "-") refuse_part(command.json, parts);
 }
 
 void write_level(MadeTin& made, double cell_width, const TerrainCommand& command,

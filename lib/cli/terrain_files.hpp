@@ -18,9 +18,9 @@ std::string tile_suffix(std::uint32_t row, std::uint32_t column);
 /// Asked before anything is written: no file that a run writes, the report and .prj files included,
 /// is one that it reads or another one that it writes, and none exists but with --force. A .prj
 /// that says the same already is left as it is, and may be the grid's own.
-/// \param crs  of the grid, empty if not known yet
+/// \param grid  its header, or nothing if it is not read yet
 /// \throw OutputError
-void check_terrain_files(const TerrainCommand& command, const std::string& crs);
+void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid = {});
 
 /// Writes a TIN, and its picture if one is asked for.
 /// \param cell_width  of the grid: unit of x and y in that of heights

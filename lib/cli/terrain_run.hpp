@@ -7,7 +7,6 @@
 #include "lepp/terrain/simplify.hpp"
 #include "lepp/terrain/tile_border.hpp"
 #include "lepp/terrain/world_tin.hpp"
-#include "terrain_options.hpp"
 
 namespace lepp::cli {
 
@@ -46,13 +45,7 @@ Point shift_of(const HeightGrid& window, const GridPlace& place);
 /// \throw Error  as the stages do
 MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job);
 
-/// Adds what was found for a tile to the report of the whole.
-void add_to(TerrainReport& whole, const TerrainReport& part);
-
 /// Fills in what a report says of a grid: size, samples, range of heights.
 void describe(const HeightGrid& grid, TerrainReport& report);
-
-/// Fills in what a report says was asked for.
-void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report);
 
 }  // namespace lepp::cli

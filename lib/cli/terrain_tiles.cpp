@@ -12,6 +12,7 @@
 #include "lepp/terrain/join_tins.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "terrain_files.hpp"
+#include "terrain_reports.hpp"
 
 namespace lepp::cli {
 
@@ -54,7 +55,7 @@ class Tiles {
         whole_(read_height_grid_header(command.input, command.grid_options())),
         region_(command.grid_window().value_or(GridWindow{0, 0, whole_.columns, whole_.rows})) {
     check_counts();
-    check_terrain_files(command, whole_.crs);
+    check_terrain_files(command, whole_);
     report_.valid = true;
     report_.columns = region_.columns;
     report_.rows = region_.rows;

@@ -137,6 +137,20 @@ TEST_CASE("a window is meshed as if it had been cut out by hand") {
   }
 }
 
+#ifdef LEPP_HAS_GDAL
+TEST_CASE("the parts of a mosaic are inputs too") {
+  const ScratchFolder folder;
+  folder.put("part.obj", floats_of(all));
+  folder.put("all.vrt", vrt_of(all, "part.obj"));
+  for (const std::string options : {"-o part.obj", "-o x.obj --json part.obj"}) {
+    const Outcome made = run(folder.path(), "terrain all.vrt --max-error 5 --force -q " + options);
+    CHECK(made.status == 5);
+    CHECK(has(made.err, "is also a part of the input"));
+    CHECK(folder.text("part.obj") == floats_of(all));
+  }
+}
+#endif
+
 TEST_CASE(
     "windows that share a line of samples fit together, and with tiles made of the same ones") {
   const ScratchFolder folder;
