@@ -142,7 +142,7 @@ TEST_CASE("a tile that fails ends the run: the report lists it and why, the ones
 TEST_CASE("percentages are of the range of the whole raster, also where a tile fails") {
   const ScratchFolder folder;
   put_f32(folder, 40, 31, std::pair(40 * 30 + 39, 1000.0F));
-  fs::create_directory(folder / "t_1_0.obj");
+  fs::create_symlink("nowhere/t.obj", folder / "t_1_0.obj");
   const Outcome made =
       run(folder.path(),
           "terrain dem.f32 -o t.obj -q --json - --tiles 3x1 --max-error 1% --border-error 0.5%");
@@ -232,6 +232,10 @@ TEST_CASE("no file beside an input is replaced, and no two outputs are one file"
   CHECK(run(folder.path(), command + "-o a.obj --json a.prj").status == 5);
   CHECK(run(folder.path(), command + "-o a.ele --json a.node").status == 5);
   CHECK(run(folder.path(), command + "-o a.obj --levels 50 --json a.level1.prj").status == 5);
+  fs::create_directory(folder / "c.level1.prj");
+  const Outcome folder_there = run(folder.path(), command + "-o c.obj --levels 50");
+  CHECK(folder_there.status == 5);
+  CHECK(has(folder_there.err, "c.level1.prj\n      is a folder"));
   fs::create_symlink("a.obj", folder / "b.png");
   folder.put("a.obj", "old");
   const Outcome twice = run(folder.path(), command + "-o a.obj --picture b.png");
