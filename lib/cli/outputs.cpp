@@ -74,8 +74,13 @@ void check_target(const fs::path& target, const Files& inputs, bool force) {
 void check_report_target(const std::string& json, const Files& inputs, const Files& outputs) {
   if (json.empty() || json == "-") return;
   refuse_inputs(json, inputs);
+  std::error_code error;
+  const auto place_of = [&](const fs::path& file) {
+    return fs::weakly_canonical(fs::absolute(file), error);
+  };
+  const fs::path place = place_of(json);
   for (const fs::path& output : outputs) {
-    if (fs::absolute(json).lexically_normal() == fs::absolute(output).lexically_normal()) {
+    if (place == place_of(output)) {
       throw OutputError(json, "is named for two outputs", "give --json another name");
     }
   }

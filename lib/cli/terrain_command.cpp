@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "lepp/io/hillshade.hpp"
+#include "lepp/geometry/error.hpp"
+#include "lepp/io/raster_layout.hpp"
+#include "terrain_files.hpp"
 #include "terrain_options.hpp"
+#include "terrain_reports.hpp"
 #include "terrain_run.hpp"
 #include "terrain_tiles.hpp"
 #include "validators.hpp"
@@ -14,55 +18,10 @@ namespace lepp::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-Files files_read(const TerrainCommand& command) {
-  Files files{command.input};
-  for (const auto* more : {&command.clip, &command.breaklines, &command.soft_breaklines}) {
-    files.insert(files.end(), more->begin(), more->end());
-  }
-  return files;
-}
-
-void check_targets(const TerrainCommand& command, bool has_crs) {
-  for (const fs::path& target : terrain_targets(command, has_crs)) {
-    check_target(target, files_read(command), command.output.force);
-  }
-}
-
-void describe_wishes(const TerrainCommand& command, const SimplifyOptions& options,
-                     TerrainReport& report) {
-  report.by = options.by == SimplifyBy::lepp ? "lepp" : "greedy";
-  report.metric = options.metric == TerrainMetric::planar ? "planar" : "surface";
-  if (!command.max_error.empty()) report.max_error = options.max_error;
-  report.max_vertices = command.max_vertices;
-  if (options.by == SimplifyBy::lepp) report.min_angle_deg = options.min_angle_deg;
-}
-
-void write_level(MadeTin& made, const HeightGrid& grid, const TerrainCommand& command,
-                 const std::string& suffix) {
-  const fs::path target = with_suffix(command.output.target, suffix);
-  write_tin(made.world, target, command.tin_format());
-  made.figures.output = target.string();
-  if (command.picture.empty()) return;
-  HillshadeOptions options;
-  options.width = command.picture_width;
-  options.cell_width = grid.cell_width;
-  write_hillshade(made.tin, with_suffix(command.picture, suffix), options);
-}
-
-void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& command) {
-  for (std::size_t i = 0; i < made.coarser.size(); ++i) {
-    write_level(made.coarser[i], grid, command, level_suffix(i + 1));
-    made.report.levels[i].output = made.coarser[i].figures.output;
-  }
-  write_level(made.finest, grid, command, "");
-  made.report.whole.output = made.finest.figures.output;
 }
 
 int status_of(const TerrainReport& report) {
@@ -71,67 +30,136 @@ int status_of(const TerrainReport& report) {
   return report.goal_reached ? done : unfinished;
 }
 
-int run_whole(const TerrainCommand& command, TerrainReport& report) {
-  const auto start = Clock::now();
-  HeightGrid grid = read_height_grid(command.input, command.grid_options());
-  check_targets(command, !grid.crs.empty());
-  describe(grid, report);
-  const double range = report.highest - report.lowest;
+// What is meshed in one piece: a grid, or a window of one.
+struct Piece {
+  std::optional<HeightGrid> whole;  // without heights, where `grid` is a window of it
+  GridWindow window;
+  HeightGrid grid;
+  BorderCorners corners;
+
+  GridPlace place() const {
+    return whole ? GridPlace{*whole, window.column, window.row} : GridPlace{grid};
+  }
+};
+
+Piece read_piece(const TerrainCommand& command) {
+  Piece piece;
+  const auto window = command.grid_window();
+  if (!window) {
+    piece.grid = read_height_grid(command.input, command.grid_options());
+    return piece;
+  }
+  piece.whole = read_height_grid_header(command.input, command.grid_options());
+  piece.window = *window;
+  grid_of_window(*piece.whole, *window);  // throws if it sticks out
+  if (command.border_error.empty()) {
+    piece.grid = read_height_window(command.input, *window, command.grid_options());
+  } else {  // as a tile: neighbours are windows too
+    GridPart part = read_grid_part(command.input, *piece.whole, *window, command.grid_options());
+    piece.corners = border_corners(part);
+    leave_to_neighbours(part);
+    piece.grid = std::move(part.grid);
+  }
+  check_usable(piece.grid);
+  return piece;
+}
+
+TerrainJob job_of(const TerrainCommand& command, const Piece& piece,
+                  std::vector<std::string>& warnings) {
+  TerrainReport found;
+  describe(piece.grid, found);
+  const double range = found.highest - found.lowest;
   TerrainJob job;
   job.simplify = simplify_options(command, range);
   job.border_error = border_error(command, range);
-  std::vector<std::string> warnings = grid.warnings;
-  job.domain = domain_options(command, grid, warnings);
+  job.border_corners = piece.corners;
+  job.domain = domain_options(command, piece.grid, warnings);
+  job.domain.islands_stay_inside = job.border_error && !piece.whole;
   job.claims_error = !command.max_error.empty();
   job.nonobtuse = command.nonobtuse;
   job.fit_heights = command.fit_heights;
+  return job;
+}
+
+void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& command) {
+  for (std::size_t i = 0; i < made.coarser.size(); ++i) {
+    write_level(made.coarser[i], grid.cell_width, command, level_suffix(i + 1));
+    made.report.levels[i].output = made.coarser[i].figures.output;
+  }
+  write_level(made.finest, grid.cell_width, command, "");
+  made.report.whole.output = made.finest.figures.output;
+}
+
+int run_whole(const TerrainCommand& command, TerrainReport& report) {
+  const auto start = Clock::now();
+  check_terrain_files(command);
+  const Piece piece = read_piece(command);
+  check_terrain_files(command, piece.place().whole);
+  std::vector<std::string> warnings = piece.place().whole.warnings;
+  const TerrainJob job = job_of(command, piece, warnings);
   const double reading = seconds_since(start);
-  MadeTerrain made = make_terrain(grid, {grid}, job);
+  MadeTerrain made = make_terrain(piece.grid, piece.place(), job);
   const int status = status_of(made.report);
   if (status == done || (status == unfinished && command.allow_unfinished)) {
     const auto writing = Clock::now();
-    write_all(made, grid, command);
+    write_all(made, piece.grid, command);
     made.report.seconds.write = seconds_since(writing);
   }
   report = std::move(made.report);
   report.seconds.read = reading;
-  for (std::size_t i = 0; i < report.levels.size(); ++i) {
-    report.levels[i].name = "level " + std::to_string(i + 1);
-  }
   report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
-  describe_wishes(command, job.simplify, report);
+  describe(command, job, report);
   return status;
 }
 
-int run_in_tiles(const TerrainCommand& command, TerrainReport& report) {
-  report.valid = true;
-  const int status = run_tiles(command, report);
-  describe_wishes(command, simplify_options(command, report.highest - report.lowest), report);
-  return status;
+void print(const TerrainCommand& command, TerrainReport& report, Clock::time_point start) {
+  for (std::size_t i = 0; i < report.levels.size(); ++i) {
+    report.levels[i].name = "level " + std::to_string(i + 1);
+  }
+  report.input = command.input.string();
+  report.seconds.total = seconds_since(start);
+  report.peak_memory_bytes = peak_memory_bytes();
+  print_report(to_text(report), to_json(report), command.json, command.quiet);
+}
+
+// The report of tiles that were made before an error; the error is what counts, whatever becomes of
+// the report.
+void print_what_there_is(const TerrainCommand& command, TerrainReport& report,
+                         Clock::time_point start) {
+  try {
+    if (!report.tiles.empty()) print(command, report, start);
+  } catch (const Error&) {
+  }
+}
+
+std::string last_words(int status, const TerrainCommand& command, const TerrainReport& report) {
+  const bool some_stay = std::ranges::any_of(
+      report.tiles, [](const TerrainFigures& tile) { return !tile.output.empty(); });
+  const std::string stay = some_stay ? "; the tiles that are done stay" : "";
+  if (status == refused) return "cancelled; nothing more was written" + stay;
+  if (status != unfinished || command.allow_unfinished) return {};
+  return "the goal was not reached, so nothing more was written; "
+         "--allow-unfinished writes the valid TIN all the same" +
+         stay;
 }
 
 int run(const TerrainCommand& command) {
   const auto start = Clock::now();
   check_terrain_options(command);
-  check_targets(command, false);
-  check_report_target(command.json, files_read(command), terrain_targets(command, true));
   TerrainReport report;
-  const TileCounts tiles = command.tile_counts();
-  const bool has_tiles = tiles.rows * tiles.columns > 1;
-  const int status = has_tiles ? run_in_tiles(command, report) : run_whole(command, report);
-  report.input = command.input.string();
-  if (status == refused) report.warnings.push_back("cancelled; nothing more was written");
-  if (status == unfinished && !command.allow_unfinished) {
-    report.warnings.push_back(
-        "the goal was not reached, so nothing more was written; "
-        "--allow-unfinished writes the valid TIN all the same");
+  int status = done;
+  try {
+    status = command.has_tiles() ? run_tiles(command, report) : run_whole(command, report);
+  } catch (const std::exception&) {
+    print_what_there_is(command, report, start);
+    throw;
   }
-  report.seconds.total = seconds_since(start);
-  report.peak_memory_bytes = peak_memory_bytes();
+  const std::string words = last_words(status, command, report);
+  if (!words.empty()) report.warnings.push_back(words);
   if (command.quiet && status != done && !report.warnings.empty()) {
-    std::fprintf(stderr, "lepp: %s: %s\n", report.input.c_str(), report.warnings.back().c_str());
+    std::fprintf(stderr, "lepp: %s: %s\n", command.input.c_str(), report.warnings.back().c_str());
   }
-  print_report(to_text(report), to_json(report), command.json, command.quiet);
+  print(command, report, start);
   return status;
 }
 
@@ -192,6 +220,11 @@ void add_inputs(CLI::App& app, TerrainCommand& command) {
 }
 
 void add_tiles(CLI::App& app, TerrainCommand& command) {
+  app.add_option("--window", command.window,
+                 "COLUMN ROW WIDTH HEIGHT in samples, row 0 the first of the file: nothing else is "
+                 "read and meshed")
+      ->expected(4)
+      ->check(whole_number_from(0));
   app.add_option(
          "--tiles", command.tiles,
          "ROWSxCOLUMNS: the raster is read and meshed piece by piece; tile (row, column) is "
@@ -204,7 +237,7 @@ void add_tiles(CLI::App& app, TerrainCommand& command) {
   app.add_option("--border-error", command.border_error,
                  "vertices on the sides of the raster depend on nothing but the samples there and "
                  "this error, so that neighbours match (with --tiles: of each tile, default "
-                 "--max-error)")
+                 "--max-error; with --window: of the window)")
       ->check(height_or_percent());
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "interrupt.hpp"
 #include "lepp/io/terrain_lines.hpp"
 #include "validators.hpp"
 
@@ -37,6 +38,32 @@ void refuse(bool is_wrong, const std::string& option, const std::string& why) {
   if (is_wrong) throw CLI::ValidationError(option, why);
 }
 
+void check_window(const TerrainCommand& c) {
+  const auto window = c.grid_window();
+  refuse(window && (window->columns < 2 || window->rows < 2), "--window",
+         "has no area: give at least two columns and two rows");
+  refuse(window && c.border_error.ends_with('%'), "--border-error",
+         "would be a percentage of the heights in the window, which its neighbours do not share; "
+         "give a height");
+}
+
+void check_tiles(const TerrainCommand& c) {
+  const bool has_tiles = c.has_tiles();
+  refuse(c.tile_output != TileOutput::files && !has_tiles, "--tile-output",
+         "goes with --tiles only");
+  if (!has_tiles) return;
+  refuse(c.max_error.empty(), "--tiles",
+         "needs --max-error, by which the borders of tiles are made");
+  refuse(c.max_vertices.has_value(), "--max-vertices",
+         "is of the whole and cannot go with --tiles");
+  refuse(!c.level_vertices.empty(), "--level-vertices",
+         "are of the whole and cannot go with --tiles; give --levels");
+  refuse(c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
+  const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
+  refuse(has_lines, "--tiles",
+         "does not go with --clip and --breaklines, which would cut the borders of tiles");
+}
+
 }  // namespace
 
 HeightOrPart height_or_part(const std::string& text) {
@@ -64,7 +91,13 @@ HeightGridOptions TerrainCommand::grid_options() const {
   HeightGridOptions options;
   if (cell.size() == 2) options.cell = CellSize{cell[0], cell[1]};
   options.nodata = nodata;
+  options.gdal.keep_going = [] { return !interrupted(); };
   return options;
+}
+
+std::optional<GridWindow> TerrainCommand::grid_window() const {
+  if (window.size() != 4) return std::nullopt;
+  return GridWindow{window[0], window[1], window[2], window[3]};
 }
 
 TileCounts TerrainCommand::tile_counts() const {
@@ -103,21 +136,9 @@ void check_terrain_options(const TerrainCommand& c) {
          "would bend the surface that --metric surface measures in; it goes with planar only");
   refuse(c.by == SimplifyBy::greedy && c.metric == TerrainMetric::surface, "--metric",
          "surface goes with --by lepp only");
-  const TileCounts tiles = c.tile_counts();
-  const bool has_tiles = tiles.rows * tiles.columns > 1;
-  refuse(has_tiles && c.max_error.empty(), "--tiles",
-         "needs --max-error, by which the borders of tiles are made");
-  refuse(has_tiles && c.max_vertices, "--max-vertices",
-         "is of the whole and cannot go with --tiles");
-  const bool joins_tiles = c.tile_output != TileOutput::files;
-  refuse(joins_tiles && !has_tiles, "--tile-output", "goes with --tiles only");
-  refuse(c.tile_output == TileOutput::mesh && c.asks_for_levels(), "--tile-output",
-         "mesh joins the finest level alone; write levels as files");
-  refuse(has_tiles && c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
-  const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
-  refuse(has_tiles && has_lines, "--tiles",
-         "does not go with --clip and --breaklines, which would cut the borders of tiles");
   refuse(!c.border_error.empty() && c.nonobtuse, "--nonobtuse", "would cut the fixed borders");
+  check_window(c);
+  check_tiles(c);
 }
 
 SimplifyOptions simplify_options(const TerrainCommand& c, double range) {
@@ -162,53 +183,13 @@ DomainOptions domain_options(const TerrainCommand& c, const HeightGrid& grid,
 }
 
 std::optional<double> border_error(const TerrainCommand& c, double range) {
-  const TileCounts tiles = c.tile_counts();
-  if (c.border_error.empty() && tiles.rows * tiles.columns == 1) return std::nullopt;
+  if (c.border_error.empty() && !c.has_tiles()) return std::nullopt;
   const double whole = height_or_part(c.max_error).in(range);
   if (c.border_error.empty()) return whole;
   const double error = height_or_part(c.border_error).in(range);
   refuse(!c.max_error.empty() && error > whole, "--border-error",
          "is above --max-error, which borders have to keep too");
   return error;
-}
-
-std::vector<std::filesystem::path> terrain_targets(const TerrainCommand& c, bool has_crs) {
-  std::vector<std::filesystem::path> tins, all;
-  const TileCounts tiles = c.tile_counts();
-  const bool has_tiles = tiles.rows * tiles.columns > 1;
-  const auto add = [&](const std::string& suffix, bool with_tin) {
-    if (!c.picture.empty()) all.push_back(with_suffix(c.picture, suffix));
-    if (with_tin) tins.push_back(with_suffix(c.output.target, suffix));
-  };
-  std::vector<std::string> suffixes;
-  for (std::uint32_t i = 0; i < tiles.rows; ++i) {
-    for (std::uint32_t k = 0; k < tiles.columns; ++k) {
-      suffixes.push_back(has_tiles ? tile_suffix(i, k) : "");
-    }
-  }
-  const bool to_files = !has_tiles || c.tile_output != TileOutput::mesh;
-  for (const std::string& suffix : suffixes) {
-    add(suffix, to_files);
-    for (std::size_t level = 1; to_files && level <= c.coarser_levels(); ++level) {
-      add(suffix + level_suffix(level), true);
-    }
-  }
-  if (has_tiles && c.tile_output != TileOutput::files) tins.push_back(c.output.target);
-  for (const auto& tin : tins) {
-    const auto files = tin_files_of(tin, has_crs);
-    all.insert(all.end(), files.begin(), files.end());
-  }
-  return all;
-}
-
-std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix) {
-  return path.parent_path() / (path.stem().string() + suffix + path.extension().string());
-}
-
-std::string level_suffix(std::size_t level) { return ".level" + std::to_string(level); }
-
-std::string tile_suffix(std::uint32_t row, std::uint32_t column) {
-  return "_" + std::to_string(row) + "_" + std::to_string(column);
 }
 
 }  // namespace lepp::cli

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lepp/io/height_grid_read.hpp"
@@ -46,6 +45,7 @@ struct TerrainCommand {
   std::vector<double> cell;  ///< none or two
   std::optional<double> nodata;
   std::vector<std::filesystem::path> clip, breaklines, soft_breaklines;
+  std::vector<std::uint32_t> window;  ///< none, or column, row, width and height
   std::string tiles;
   TileOutput tile_output = TileOutput::files;
   std::filesystem::path picture;
@@ -54,7 +54,11 @@ struct TerrainCommand {
   bool nonobtuse = false, fit_heights = false, allow_unfinished = false, quiet = false;
 
   HeightGridOptions grid_options() const;
+  std::optional<GridWindow> grid_window() const;
   TileCounts tile_counts() const;
+  bool has_tiles() const { return tile_counts().rows * tile_counts().columns > 1; }
+  bool writes_tiles() const { return has_tiles() && tile_output != TileOutput::mesh; }
+  bool writes_whole() const { return !has_tiles() || tile_output != TileOutput::files; }
   TinFormat tin_format() const;
   bool asks_for_levels() const { return !level_errors.empty() || !level_vertices.empty(); }
   bool is_relative() const;  ///< some error is given in percent
@@ -75,13 +79,5 @@ DomainOptions domain_options(const TerrainCommand& command, const HeightGrid& gr
                              std::vector<std::string>& warnings);
 /// The error of borders, if they are to be fixed.
 std::optional<double> border_error(const TerrainCommand& command, double range);
-
-/// All files that a run writes, the report left out.
-std::vector<std::filesystem::path> terrain_targets(const TerrainCommand& command, bool has_crs);
-
-/// dir/name.ext becomes dir/name<suffix>.ext.
-std::filesystem::path with_suffix(const std::filesystem::path& path, const std::string& suffix);
-std::string level_suffix(std::size_t level);  ///< ".level1" for the coarsest
-std::string tile_suffix(std::uint32_t row, std::uint32_t column);
 
 }  // namespace lepp::cli

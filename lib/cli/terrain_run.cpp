@@ -27,11 +27,7 @@ double timed(Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// From the grid space of a window to that of the whole grid.
-Tin shifted(Tin tin, const HeightGrid& window, const GridPlace& place) {
-  const std::uint32_t line =
-      window.north_first() ? place.whole.rows - place.row - window.rows : place.row;
-  const Point shift{double(place.column), double(line) * window.aspect()};
+Tin shifted(Tin tin, const Point shift) {
   if (shift == Point{0, 0}) return tin;
   for (std::size_t i = 0; i < tin.mesh.vertex_count(); ++i) {
     tin.mesh.move_vertex(VertexId(i), tin.mesh.point(VertexId(i)) + shift);
@@ -185,7 +181,7 @@ class Run {
     const std::uint32_t row = figures.error.row;
     figures.error_at = place_.whole.to_world(place_.whole.sample(
         figures.error.column, place_.whole.north_first() ? place_.whole.rows - 1 - row : row));
-    made.world = to_world(shifted(made.tin, grid_, place_), place_.whole);
+    made.world = to_world(shifted(made.tin, shift_of(grid_, place_)), place_.whole);
     if (is_finest && in_world_) made.world.mesh = std::move(*in_world_);
     const bool world_counts = is_finest && job_.nonobtuse && judged_in_world_;
     MeshClaims claims = is_finest ? claims_of_finest() : MeshClaims();
@@ -284,92 +280,16 @@ class Run {
   MadeTerrain made_;
 };
 
-// Means and root mean squares of two parts together.
-double joined_mean(double a, std::size_t n, double b, std::size_t m) {
-  const auto all = static_cast<double>(n + m);
-  return all > 0 ? (a * static_cast<double>(n) + b * static_cast<double>(m)) / all : 0;
-}
-
-void add_to(TerrainError& e, const TerrainError& p) {
-  const double mean_square = joined_mean(e.rms * e.rms, e.samples, p.rms * p.rms, p.samples);
-  if (p.max > e.max || e.samples == 0) {
-    e.max = p.max;
-    e.column = p.column;
-    e.row = p.row;
-  }
-  e.highest = std::max(e.highest, p.highest);
-  e.lowest = std::min(e.lowest, p.lowest);
-  e.rms = std::sqrt(mean_square);
-  e.samples += p.samples;
-  e.lost += p.lost;
-  e.covered += p.covered;
-}
-
-void add_to(TerrainFigures& whole, const TerrainFigures& part) {
-  if (part.error.max > whole.error.max || whole.error.samples == 0) whole.error_at = part.error_at;
-  add_to(whole.error, part.error);
-  if (part.unfitted) {
-    if (!whole.unfitted) whole.unfitted.emplace();
-    add_to(*whole.unfitted, *part.unfitted);
-  }
-  whole.vertices += part.vertices;
-  whole.triangles += part.triangles;
-}
-
-void add_to(TerrainSeconds& whole, const TerrainSeconds& part) {
-  whole.read += part.read;
-  whole.domain += part.domain;
-  whole.simplify += part.simplify;
-  whole.nonobtuse += part.nonobtuse;
-  whole.fit += part.fit;
-  whole.measure += part.measure;
-  whole.check += part.check;
-  whole.write += part.write;
-}
-
 }  // namespace
+
+Point shift_of(const HeightGrid& window, const GridPlace& place) {
+  const std::uint32_t line =
+      window.north_first() ? place.whole.rows - place.row - window.rows : place.row;
+  return {double(place.column), double(line) * window.aspect()};
+}
 
 MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job) {
   return Run(grid, place, job)();
-}
-
-void add_to(TerrainInSpace& whole, const TerrainInSpace& part) {
-  whole.plan_angle_deg = part.plan_angle_deg;
-  whole.tame += part.tame;
-  whole.untame += part.untame;
-  whole.kept_edges.insert(whole.kept_edges.end(), part.kept_edges.begin(), part.kept_edges.end());
-}
-
-void add_to(TerrainReport& whole, const TerrainReport& part) {
-  const bool is_first = whole.whole.triangles == 0;
-  const auto smaller = [&](double a, double b) { return is_first ? b : std::min(a, b); };
-  whole.min_angle_deg_found = smaller(whole.min_angle_deg_found, part.min_angle_deg_found);
-  whole.max_angle_deg_found = std::max(whole.max_angle_deg_found, part.max_angle_deg_found);
-  whole.mean_min_angle_deg = joined_mean(whole.mean_min_angle_deg, whole.whole.triangles,
-                                         part.mean_min_angle_deg, part.whole.triangles);
-  whole.in_space.min_angle_deg = smaller(whole.in_space.min_angle_deg, part.in_space.min_angle_deg);
-  whole.in_space.mean_min_angle_deg =
-      joined_mean(whole.in_space.mean_min_angle_deg, whole.whole.triangles,
-                  part.in_space.mean_min_angle_deg, part.whole.triangles);
-  add_to(whole.in_space, part.in_space);
-  for (std::size_t i = 0; i < whole.smallest_angles.size(); ++i) {
-    whole.smallest_angles[i] += part.smallest_angles[i];
-  }
-  for (std::size_t i = 0; i < whole.below_bound.size(); ++i) {
-    whole.below_bound[i] += part.below_bound[i];
-  }
-  whole.lowest = smaller(whole.lowest, part.lowest);
-  whole.highest = is_first ? part.highest : std::max(whole.highest, part.highest);
-  whole.obtuse_constrained += part.obtuse_constrained;
-  whole.goal_reached = (is_first || whole.goal_reached) && part.goal_reached;
-  whole.valid = whole.valid && part.valid;
-  if (part.error_kept) whole.error_kept = whole.error_kept.value_or(true) && *part.error_kept;
-  add_to(whole.whole, part.whole);
-  add_to(whole.seconds, part.seconds);
-  for (const std::string& w : part.warnings) {
-    if (std::ranges::find(whole.warnings, w) == whole.warnings.end()) whole.warnings.push_back(w);
-  }
-  whole.violations.insert(whole.violations.end(), part.violations.begin(), part.violations.end());
 }
 
 void describe(const HeightGrid& grid, TerrainReport& report) {

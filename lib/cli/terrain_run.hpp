@@ -34,17 +34,17 @@ struct MadeTerrain {
   TerrainReport report;          ///< all but reading and writing
 };
 
-/// From a grid to TINs that were measured and checked from scratch.
-/// \param whole  the grid that `grid` is a window of, whose georeference counts; `at` is where
-/// \throw Error  as the stages do
+/// The grid that another one is a window of, whose georeference counts, and where.
 struct GridPlace {
   const HeightGrid& whole;
   std::uint32_t column = 0, row = 0;
 };
-MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job);
+/// From the grid space of a window to that of the whole.
+Point shift_of(const HeightGrid& window, const GridPlace& place);
 
-/// Adds what was found for a tile to the report of the whole.
-void add_to(TerrainReport& whole, const TerrainReport& part);
+/// From a grid to TINs that were measured and checked from scratch.
+/// \throw Error  as the stages do
+MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job);
 
 /// Fills in what a report says of a grid: size, samples, range of heights.
 void describe(const HeightGrid& grid, TerrainReport& report);

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
+#include <exception>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "lepp/geometry/error.hpp"
-#include "lepp/io/hillshade.hpp"
-#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/io/raster_layout.hpp"
+#include "lepp/terrain/join_tins.hpp"
 #include "lepp/triangulation/validate.hpp"
+#include "terrain_files.hpp"
+#include "terrain_reports.hpp"
 
 namespace lepp::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -27,66 +27,24 @@ std::uint32_t begin_of(std::uint32_t part, std::uint32_t parts, std::uint32_t n)
   return static_cast<std::uint32_t>(std::uint64_t{part} * (n - 1) / parts);
 }
 
-GridWindow window_of(const HeightGrid& whole, const TileCounts& tiles, std::uint32_t row,
-                     std::uint32_t column) {
-  GridWindow window;
-  window.row = begin_of(row, tiles.rows, whole.rows);
-  window.column = begin_of(column, tiles.columns, whole.columns);
-  window.rows = begin_of(row + 1, tiles.rows, whole.rows) - window.row + 1;
-  window.columns = begin_of(column + 1, tiles.columns, whole.columns) - window.column + 1;
-  return window;
+GridWindow tile_window(const GridWindow& region, const TileCounts& tiles, std::uint32_t row,
+                       std::uint32_t column) {
+  const std::uint32_t north = begin_of(row, tiles.rows, region.rows);
+  const std::uint32_t west = begin_of(column, tiles.columns, region.columns);
+  return {region.column + west, region.row + north,
+          begin_of(column + 1, tiles.columns, region.columns) - west + 1,
+          begin_of(row + 1, tiles.rows, region.rows) - north + 1};
 }
 
 bool has_data(const HeightGrid& grid) {
   return std::ranges::any_of(grid.heights, [](float h) { return !std::isnan(h); });
 }
 
-std::vector<bool> on_boundary(const Mesh& mesh) {
-  std::vector<bool> result(mesh.vertex_count(), false);
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      if (!mesh.is_boundary(e)) continue;
-      result[mesh.origin(e).index()] = result[mesh.destination(e).index()] = true;
-    }
-  }
-  return result;
+// What an error says, in one line.
+std::string one_line(const std::exception& error) {
+  const auto* const ours = dynamic_cast<const Error*>(&error);
+  return ours == nullptr ? error.what() : ours->where() + ": " + ours->problem();
 }
-
-// Tiles put together; vertices on the lines that they share become one.
-class JoinedTin {
- public:
-  void add(const WorldTin& tile) {
-    const std::vector<bool> may_be_shared = on_boundary(tile.mesh);
-    std::vector<VertexId> ids;
-    for (std::size_t i = 0; i < tile.mesh.vertex_count(); ++i) {
-      const VertexId next(soup_.points.size());
-      const Point p = tile.mesh.point(VertexId(i));
-      const VertexId id = may_be_shared[i] ? at_.emplace(p, next).first->second : next;
-      ids.push_back(id);
-      if (id != next) continue;
-      soup_.points.push_back(p);
-      heights_.push_back(tile.heights[i]);
-    }
-    for (const Triangle& t : tile.mesh.triangles()) {
-      const auto& [a, b, c] = t.vertices;
-      soup_.triangles.push_back({ids[a.index()], ids[b.index()], ids[c.index()]});
-    }
-  }
-
-  WorldTin join(const HeightGrid& grid) {
-    soup_.source = grid.source;
-    WorldTin world = to_world({}, grid);  // its names
-    world.mesh = mesh_from_triangles(soup_).mesh;
-    world.heights = std::move(heights_);
-    return world;
-  }
-
- private:
-  TriangleSoup soup_;
-  std::vector<double> heights_;
-  std::map<Point, VertexId> at_;
-};
 
 class Tiles {
  public:
@@ -94,22 +52,70 @@ class Tiles {
       : command_(command),
         report_(report),
         counts_(command.tile_counts()),
-        whole_(read_height_grid_header(command.input, command.grid_options())) {
-    if (counts_.rows >= whole_.rows || counts_.columns >= whole_.columns) {
-      throw InputError(command.input.string() + ", --tiles " + command.tiles,
-                       "asks for more tiles than the " + std::to_string(whole_.rows) + " x " +
-                           std::to_string(whole_.columns) + " samples have cells",
-                       "give fewer rows and columns of tiles");
-    }
-    const double range = command.is_relative() ? range_of_heights() : 0;
-    job_.simplify = simplify_options(command, range);
-    job_.border_error = border_error(command, range);
+        whole_(read_height_grid_header(command.input, command.grid_options())),
+        region_(command.grid_window().value_or(GridWindow{0, 0, whole_.columns, whole_.rows})) {
+    check_counts();
+    check_terrain_files(command, whole_);
+    report_.valid = true;
+    report_.columns = region_.columns;
+    report_.rows = region_.rows;
+    report_.warnings = whole_.warnings;
   }
 
-  int run() {
+  int run() { return decide_bounds() ? make_tiles() : stopped(refused); }
+
+ private:
+  void check_counts() const {
+    grid_of_window(whole_, region_);  // throws if it sticks out
+    if (counts_.rows < region_.rows && counts_.columns < region_.columns) return;
+    throw InputError(command_.input.string() + ", --tiles " + command_.tiles,
+                     "asks for more tiles than the " + std::to_string(region_.rows) + " x " +
+                         std::to_string(region_.columns) + " samples have cells",
+                     "give fewer rows and columns of tiles");
+  }
+
+  // All tiles keep the same bounds: percentages are of the range of all heights.
+  // Returns false if the user does not want to wait for it.
+  bool decide_bounds() {
+    const auto start = std::chrono::steady_clock::now();
+    if (command_.is_relative() && !find_range()) return false;
+    report_.seconds.read += seconds_since(start);
+    const double range = lowest_ <= highest_ ? highest_ - lowest_ : 0;
+    job_.simplify = simplify_options(command_, range);
+    job_.border_error = border_error(command_, range);
+    job_.fit_heights = command_.fit_heights;
+    describe(command_, job_, report_);
+    note_range();
+    return true;
+  }
+
+  // Where bounds go by it, it is that of all heights, whatever tiles are left out or not reached.
+  void note_range() {
+    if (!(lowest_ <= highest_)) return;
+    report_.lowest = lowest_;
+    report_.highest = highest_;
+  }
+
+  // A pass over the file, tile by tile.
+  bool find_range() {
     for (std::uint32_t row = 0; row < counts_.rows; ++row) {
       for (std::uint32_t column = 0; column < counts_.columns; ++column) {
-        const int status = run_tile(row, column);
+        if (interrupted()) return false;
+        const GridWindow window = tile_window(region_, counts_, row, column);
+        TerrainReport part;
+        describe(read_height_window(command_.input, window, command_.grid_options()), part);
+        if (part.samples == 0) continue;
+        lowest_ = std::min(lowest_, part.lowest);
+        highest_ = std::max(highest_, part.highest);
+      }
+    }
+    return true;
+  }
+
+  int make_tiles() {
+    for (std::uint32_t row = 0; row < counts_.rows; ++row) {
+      for (std::uint32_t column = 0; column < counts_.columns; ++column) {
+        const int status = interrupted() ? stopped(refused) : make_tile(row, column);
         if (status != done) return status;
       }
     }
@@ -117,90 +123,120 @@ class Tiles {
       throw InputError(command_.input.string(), "has no sample with data",
                        "check the value that means no data");
     }
-    const int status = command_.tile_output == TileOutput::files ? done : write_joined();
+    if (interrupted() && command_.writes_whole()) return stopped(refused);
+    const int status = command_.writes_whole() ? write_joined() : done;
     return status == done && !report_.goal_reached ? unfinished : status;
   }
 
- private:
-  HeightGrid read(const GridWindow& window) {
-    return read_height_window(command_.input, window, command_.grid_options());
+  // The run ends before its end.
+  int stopped(int status) {
+    report_.goal_reached = false;
+    if (report_.error_kept) report_.error_kept = false;
+    return status;
+  }
+  int failed(TerrainFigures tile, const std::string& problem, int status) {
+    tile.problem = problem;
+    report_.tiles.push_back(std::move(tile));
+    return stopped(status);
   }
 
-  // A pass over the file, tile by tile.
-  double range_of_heights() {
-    double low = INFINITY, high = -INFINITY;
-    for (std::uint32_t row = 0; row < counts_.rows; ++row) {
-      for (std::uint32_t column = 0; column < counts_.columns; ++column) {
-        TerrainReport part;
-        describe(read(window_of(whole_, counts_, row, column)), part);
-        if (part.samples == 0) continue;
-        low = std::min(low, part.lowest);
-        high = std::max(high, part.highest);
-      }
+  int make_tile(std::uint32_t row, std::uint32_t column) {
+    TerrainFigures figures;
+    figures.name = "tile " + std::to_string(row) + " " + std::to_string(column);
+    try {
+      return make_tile(row, column, figures);
+    } catch (const std::exception& error) {
+      figures.output.clear();
+      failed(figures, one_line(error), bad_input);
+      throw;
     }
-    return low <= high ? high - low : 0;
   }
 
-  int run_tile(std::uint32_t row, std::uint32_t column) {
-    const GridWindow window = window_of(whole_, counts_, row, column);
+  int make_tile(std::uint32_t row, std::uint32_t column, TerrainFigures& figures) {
+    const GridWindow window = tile_window(region_, counts_, row, column);
     const auto start = std::chrono::steady_clock::now();
     GridPart part = read_grid_part(command_.input, whole_, window, command_.grid_options());
     report_.seconds.read += seconds_since(start);
-    if (!has_data(part.grid)) return done;
     job_.border_corners = border_corners(part);
     leave_to_neighbours(part);
-    const HeightGrid& grid = part.grid;
-    if (!has_data(grid)) return done;
-    MadeTerrain made = make_terrain(grid, {whole_, window.column, window.row}, job_);
-    made.finest.figures.name = "tile " + std::to_string(row) + " " + std::to_string(column);
+    if (!has_data(part.grid)) return done;
+    const GridPlace place{whole_, window.column, window.row};
+    MadeTerrain made = make_terrain(part.grid, place, job_);
+    if (interrupted()) return failed(figures, "cancelled", refused);
+    made.finest.figures.name = figures.name;
+    figures = made.finest.figures;
+    complete_levels(made);
     add_to(report_, made.report);
-    if (interrupted()) return refused;
-    if (!made.report.valid) return bug;
-    if (!made.report.goal_reached && !command_.allow_unfinished) return unfinished;
+    note_range();
+    if (!made.report.valid) return failed(figures, "the result failed its own check", bug);
+    if (!made.report.goal_reached && !command_.allow_unfinished) {
+      return failed(figures, "the goal was not reached", unfinished);
+    }
     const auto writing = std::chrono::steady_clock::now();
-    write_tile(made, grid, tile_suffix(row, column));
+    if (command_.writes_tiles()) write_tile(made, tile_suffix(row, column));
+    if (command_.writes_whole()) keep(made, shift_of(part.grid, place));
     report_.seconds.write += seconds_since(writing);
     report_.tiles.push_back(made.finest.figures);
     return done;
   }
 
-  void write_tile(MadeTerrain& made, const HeightGrid& grid, const std::string& suffix) {
-    const fs::path target = with_suffix(command_.output.target, suffix);
-    if (command_.tile_output != TileOutput::mesh) {
-      made.finest.figures.output = target.string();
-      write_tin(made.finest.world, target, command_.tin_format());
-      for (std::size_t i = 0; i < made.coarser.size(); ++i) {
-        write_tin(made.coarser[i].world, with_suffix(target, level_suffix(i + 1)),
-                  command_.tin_format());
-      }
+  // A tile that did not get to a level does its best there.
+  void complete_levels(MadeTerrain& made) const {
+    while (made.coarser.size() < command_.coarser_levels()) {
+      made.coarser.push_back(made.finest);
+      made.report.levels.push_back(made.finest.figures);
     }
-    if (command_.tile_output != TileOutput::files) joined_.add(made.finest.world);
-    if (command_.picture.empty()) return;
-    HillshadeOptions options;
-    options.width = command_.picture_width;
-    options.cell_width = grid.cell_width;
-    write_hillshade(made.finest.tin, with_suffix(command_.picture, suffix), options);
+  }
+
+  void write_tile(MadeTerrain& made, const std::string& suffix) {
+    for (std::size_t i = 0; i < made.coarser.size(); ++i) {
+      write_level(made.coarser[i], whole_.cell_width, command_, suffix + level_suffix(i + 1));
+    }
+    write_level(made.finest, whole_.cell_width, command_, suffix);
+  }
+
+  void keep(const MadeTerrain& made, Point shift) {
+    joined_.resize(made.coarser.size() + 1);
+    for (std::size_t i = 0; i < made.coarser.size(); ++i) {
+      joined_[i].add(made.coarser[i].tin, shift);
+    }
+    joined_.back().add(made.finest.tin, shift);
   }
 
   int write_joined() {
-    const WorldTin world = joined_.join(whole_);
-    const MeshReport checked = validate(world.mesh, {.delaunay = false});
-    report_.whole.vertices = world.mesh.vertex_count();
+    const auto start = std::chrono::steady_clock::now();
+    int status = done;
+    for (std::size_t i = 0; i + 1 < joined_.size() && status == done; ++i) {
+      status = write_joined(joined_[i], report_.levels[i], level_suffix(i + 1));
+    }
+    if (status == done) status = write_joined(joined_.back(), report_.whole, "");
+    report_.seconds.write += seconds_since(start);
+    return status;
+  }
+
+  int write_joined(JoinedTin& tiles, TerrainFigures& figures, const std::string& suffix) {
+    MadeTin made;
+    made.tin = tiles.join(whole_.source);
+    made.world = to_world(made.tin, whole_);
+    figures.vertices = made.tin.mesh.vertex_count();
+    const MeshReport checked = validate(made.world.mesh, {.delaunay = false});
     report_.violations.insert(report_.violations.end(), checked.violations.begin(),
                               checked.violations.end());
     report_.valid = report_.valid && checked.valid();
-    if (!checked.valid()) return bug;
-    write_tin(world, command_.output.target, command_.tin_format());
-    report_.whole.output = command_.output.target.string();
+    if (!checked.valid()) return stopped(bug);
+    write_level(made, whole_.cell_width, command_, suffix);
+    figures.output = made.figures.output;
     return done;
   }
 
   const TerrainCommand& command_;
   TerrainReport& report_;
   TileCounts counts_;
-  HeightGrid whole_;
+  HeightGrid whole_;  // without heights
+  GridWindow region_;
+  double lowest_ = INFINITY, highest_ = -INFINITY;
   TerrainJob job_;
-  JoinedTin joined_;
+  std::vector<JoinedTin> joined_;  // by level, the finest last
 };
 
 }  // namespace

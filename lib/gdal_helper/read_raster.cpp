@@ -67,12 +67,28 @@ void read_crs(GDALDataset& dataset, GdalRaster& raster) {
     raster.warnings.push_back("its angles are not in degrees, so cells are taken as they are");
 }
 
+// Names of parts without end are left out: a record has a limit.
+std::vector<std::string> files_of(GDALDataset& dataset) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 25;
+  std::vector<std::string> files;
+  std::size_t bytes = 0;
+  char** const list = dataset.GetFileList();
+  for (char** name = list; name != nullptr && *name != nullptr; ++name) {
+    files.emplace_back(*name);
+    bytes += files.back().size() + sizeof(std::uint64_t);
+    if (bytes > most_bytes) break;
+  }
+  CSLDestroy(list);
+  return files;
+}
+
 GdalRaster header_of(GDALDataset& dataset) {
   GdalRaster raster;
   raster.columns = static_cast<std::uint32_t>(dataset.GetRasterXSize());
   raster.rows = static_cast<std::uint32_t>(dataset.GetRasterYSize());
   read_geotransform(dataset, raster);
   read_crs(dataset, raster);
+  raster.files = files_of(dataset);
   if (const int bands = dataset.GetRasterCount(); bands > 1)
     raster.warnings.push_back("has " + std::to_string(bands) +
                               " bands; band 1 is taken as heights");

@@ -58,6 +58,9 @@ TEST_CASE("GDAL: a north-up raster, its samples in the middle of pixels") {
   CHECK(grid.heights == std::vector<float>{1, 2, 3, 4, 5, 6});
   CHECK(grid.georeferenced);
   CHECK(grid.origin == Point{105, 47.5});
+  REQUIRE(grid.files.size() == 2);  // what is written must not replace either
+  CHECK(grid.files[0].ends_with("a.vrt"));
+  CHECK(grid.files[1].ends_with("data.bin"));
   CHECK(grid.step_x == 10);
   CHECK(grid.step_y == -5);
   CHECK(grid.cell_height == 5);

@@ -67,6 +67,39 @@ TEST_CASE("the terrain report for people says what was asked for beside what was
   CHECK_FALSE(contains(text, "admissible"));
 }
 
+TEST_CASE("both reports list a tile that failed, and why; JSON says what was asked of all") {
+  TerrainReport report = sample();
+  report.border_error = 1.5;
+  report.tiling = {2, 1};
+  report.window = GridWindow{5, 6, 60, 40};
+  report.tiles = {{"dem_0_0.ply", "tile 0 0", 40, 66, {}, {}},
+                  {"", "tile 1 0", 0, 0, {}, {}, "the disk is full"}};
+  const auto json = nlohmann::json::parse(to_json(report));
+  CHECK(json["asked_for"]["border_error"] == 1.5);
+  CHECK(json["asked_for"]["tiles"] == nlohmann::json({2, 1}));
+  CHECK(json["asked_for"]["window"] == nlohmann::json({5, 6, 60, 40}));
+  CHECK(json["tiles"][0]["problem"].is_null());
+  CHECK(json["tiles"][1]["problem"] == "the disk is full");
+  CHECK_FALSE(json["levels"][0].contains("problem"));
+  const std::string text = to_text(report);
+  CHECK(contains(text, "the disk is full"));
+  CHECK(contains(text, "dem_0_0.ply"));
+  CHECK(contains(text, "dem.level1.ply"));
+}
+
+TEST_CASE("a long list of tiles is cut short for people, but never its end") {
+  TerrainReport report = sample();
+  for (int i = 0; i < 100; ++i)
+    report.tiles.push_back({"", "tile " + std::to_string(i) + " 0", 1, 1, {}, {}});
+  report.tiles.back().problem = "cancelled";
+  const std::string text = to_text(report);
+  CHECK(contains(text, "tile 19 0"));
+  CHECK_FALSE(contains(text, "tile 20 0"));
+  CHECK(contains(text, "... and 76 more"));
+  CHECK(contains(text, "cancelled"));
+  CHECK(contains(text, "dem.level1.ply"));
+}
+
 TEST_CASE("by the surface metric both reports list what breaks the sphere criterion") {
   TerrainReport report = sample();
   report.in_space = {12.5, 40.25, 7, 2, {{{1, 2}, {3, 4}, KeptBy::angle}, {{}, {}, KeptBy::shape}}};

@@ -245,6 +245,29 @@ TEST_CASE("netCDF carries the coordinate reference system, degrees by their name
   CHECK(contains(folder.text("b.nc"), "degrees_north"));
 }
 
+TEST_CASE("a .prj beside the TIN is written, but left as it is where it says the same") {
+  const test::ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.crs = "LOCAL_CS[\"site\"]";
+  const auto crs_file = folder / "a.prj";
+  write_tin(tin, folder / "a.obj");
+  CHECK(folder.text("a.prj") == tin.crs + "\n");
+  CHECK(is_prj_of(crs_file, tin.crs));
+  folder.put("a.prj", tin.crs + " \r\n");
+  write_tin(tin, folder / "a.obj");
+  CHECK(folder.text("a.prj") == tin.crs + " \r\n");
+  for (const std::string other :
+       {"", "LOCAL_CS[\"site\"]x", "LOCAL_CS[\"site", "LOCAL_CS[\"sitE\"]"}) {
+    CAPTURE(other);
+    folder.put("a.prj", other);
+    CHECK_FALSE(is_prj_of(crs_file, tin.crs));
+    write_tin(tin, folder / "a.obj");
+    CHECK(folder.text("a.prj") == tin.crs + "\n");
+  }
+  CHECK_FALSE(is_prj_of(folder / "none.prj", tin.crs));
+  CHECK_FALSE(is_prj_of(folder / "a.obj", tin.crs));
+}
+
 TEST_CASE("ncdump reads what we write, where it is installed") {
   if (std::system("command -v ncdump > /dev/null") != 0) return;
   const ScratchFolder folder;

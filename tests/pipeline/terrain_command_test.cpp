@@ -2,95 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include "lepp/io/height_grid_read.hpp"
-#include "pipeline/program.hpp"
+#include "pipeline/obj_tin.hpp"
 #include "support/real_inputs.hpp"
 
 using namespace lepp;
 using namespace lepp::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-const std::string hill = quoted(fs::path(LEPP_MESHES) / "terrain" / "hill.asc");
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-using Place = std::array<double, 3>;
-
-// A TIN as its .obj file has it.
-struct ObjTin {
-  std::vector<Place> vertices;
-  std::vector<std::array<std::size_t, 3>> triangles;
-};
-
-ObjTin read_obj(const fs::path& file) {
-  std::ifstream in(file);
-  ObjTin tin;
-  for (std::string kind; in >> kind;) {
-    if (kind == "v") {
-      auto& [x, y, z] = tin.vertices.emplace_back();
-      in >> x >> y >> z;
-    } else if (kind == "f") {
-      auto& [a, b, c] = tin.triangles.emplace_back();
-      in >> a >> b >> c;
-    } else {
-      std::getline(in, kind);
-    }
-  }
-  return tin;
-}
-
-struct Found {
-  double error = 0;
-  std::size_t outside = 0, covered = 0;
-};
-
-// The largest error, sample by sample and triangle by triangle, in world coordinates.
-Found measured(const ObjTin& tin, const HeightGrid& grid) {
-  Found found;
-  for (std::uint32_t row = 0; row < grid.rows; ++row) {
-    for (std::uint32_t column = 0; column < grid.columns; ++column) {
-      const Point p{grid.origin.x + column * grid.step_x, grid.origin.y + row * grid.step_y};
-      bool is_inside = false;
-      for (const auto& [i, j, k] : tin.triangles) {
-        const Place &a = tin.vertices[i - 1], &b = tin.vertices[j - 1], &c = tin.vertices[k - 1];
-        const auto area = [](const Place& u, const Place& v, double x, double y) {
-          return (v[0] - u[0]) * (y - u[1]) - (v[1] - u[1]) * (x - u[0]);
-        };
-        const double whole = area(a, b, c[0], c[1]);
-        const double wa = area(b, c, p.x, p.y) / whole, wb = area(c, a, p.x, p.y) / whole;
-        if (std::min({wa, wb, 1 - wa - wb}) < -1e-9) continue;
-        is_inside = true;
-        if (!grid.has_data(column, row)) break;
-        const double height = wa * a[2] + wb * b[2] + (1 - wa - wb) * c[2];
-        found.error = std::max(found.error, std::abs(height - grid.height(column, row)));
-      }
-      if (grid.has_data(column, row) && !is_inside) ++found.outside;
-      if (!grid.has_data(column, row) && is_inside) ++found.covered;
-    }
-  }
-  return found;
-}
-
-HeightGrid hill_grid() { return read_height_grid(fs::path(LEPP_MESHES) / "terrain" / "hill.asc"); }
-
-// The vertices with x or y of a place.
-std::set<Place> on_line(const ObjTin& tin, std::size_t axis, double at) {
-  std::set<Place> places;
-  for (const Place& v : tin.vertices) {
-    if (v[axis] == at) places.insert(v);
-  }
-  return places;
-}
-
-}  // namespace
 
 TEST_CASE("lepp terrain: what is missing or does not go together is a usage error") {
   const ScratchFolder folder;
@@ -105,7 +22,11 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --tiles 0x2", "ROWSxCOLUMNS"},
       {"-o x.obj --max-vertices 100 --tiles 2x2", "needs --max-error"},
       {"-o x.obj --max-error 1 --tile-output mesh", "goes with --tiles only"},
-      {"-o x.obj --max-error 1 --tiles 2x2 --tile-output mesh --levels 5", "write levels as files"},
+      {"-o x.obj --max-error 1 --tiles 2x2 --level-vertices 50", "give --levels"},
+      {"-o x.obj --max-error 1 --window 0 0 1 9", "at least two columns and two rows"},
+      {"-o x.obj --max-error 1 --window 0 0 9", "--window"},
+      {"-o x.obj --max-error 1 --window 0 0 9 -9", "whole number"},
+      {"-o x.obj --max-error 1 --window 0 0 9 9 --border-error 1%", "give a height"},
       {"-o x.obj --max-error 1 --tiles 2x2 --nonobtuse", "borders of tiles"},
       {"-o x.obj --max-error 1 --by greedy --nonobtuse", "--by lepp only"},
       {"-o x.obj --max-error 1 --by greedy --min-angle 20", "--by lepp only"},
@@ -121,7 +42,7 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --format vtk", "--format"}};
   for (const auto& [options, message] : cases) {
     CAPTURE(options);
-    const Outcome outcome = run(folder.path(), "terrain " + hill + " " + options);
+    const Outcome outcome = run(folder.path(), "terrain " + hill() + " " + options);
     CAPTURE(outcome.err);
     CHECK(outcome.status == 1);
     CHECK(has(outcome.err, message));
@@ -138,7 +59,7 @@ TEST_CASE("lepp terrain keeps the error that it says, covers all data and nothin
       CAPTURE(by);
       CAPTURE(error);
       const Outcome made =
-          run(folder.path(), "terrain " + hill + " -o t.obj --force --json - --by " + by +
+          run(folder.path(), "terrain " + hill() + " -o t.obj --force --json - --by " + by +
                                  " --max-error " + std::to_string(error));
       REQUIRE(made.status == 0);
       const Json report = Json::parse(made.out);
@@ -160,7 +81,7 @@ TEST_CASE("lepp terrain keeps the error that it says, covers all data and nothin
 TEST_CASE("a relative error is one of the range, and the report says what was asked for") {
   const ScratchFolder folder;
   const Outcome made =
-      run(folder.path(), "terrain " + hill + " -o t.ply --max-error 2% --json r.json");
+      run(folder.path(), "terrain " + hill() + " -o t.ply --max-error 2% --json r.json");
   CHECK(made.status == 0);
   CHECK(has(made.out, "largest error"));
   CHECK(has(made.out, "(asked for: 4.828)"));
@@ -183,24 +104,24 @@ TEST_CASE("every format is written, and no file is overwritten without --force")
   for (const std::string name : {"a.obj", "b.ply", "c.stl", "d.14", "e.grd", "f.gr3", "g.2dm",
                                  "h.slf", "i.nc", "j.msh", "k.vtu", "l.ele"}) {
     CAPTURE(name);
-    const std::string command = "terrain " + hill + " --max-error 10 -q -o " + name;
+    const std::string command = "terrain " + hill() + " --max-error 10 -q -o " + name;
     CHECK(run(folder.path(), command).status == 0);
     CHECK(fs::file_size(folder / name) > 500);
     const Outcome again = run(folder.path(), command);
     CHECK(again.status == 5);
     CHECK(has(again.err, "exists already"));
   }
-  CHECK(run(folder.path(), "terrain " + hill + " --max-error 9 -q --force -o a.obj").status == 0);
+  CHECK(run(folder.path(), "terrain " + hill() + " --max-error 9 -q --force -o a.obj").status == 0);
   CHECK(run(folder.path(), "check l.ele --min-angle 30 --delaunay -q").status == 0);
   const auto taken = folder.put("taken.png", "x");
-  CHECK(run(folder.path(), "terrain " + hill + " --max-error 9 -o n.obj --picture taken.png")
+  CHECK(run(folder.path(), "terrain " + hill() + " --max-error 9 -o n.obj --picture taken.png")
             .status == 5);
   CHECK(folder.text("taken.png") == "x");
 }
 
 TEST_CASE("a number of vertices that is too small for the error is status 3 and writes nothing") {
   const ScratchFolder folder;
-  const std::string command = "terrain " + hill + " -o t.obj --max-vertices 120 ";
+  const std::string command = "terrain " + hill() + " -o t.obj --max-vertices 120 ";
   CHECK(run(folder.path(), command + "--max-error 0.5 -q").status == 3);
   CHECK(files_in(folder.path()).empty());
   CHECK(run(folder.path(), command + "--max-error 0.5 -q --allow-unfinished").status == 3);
@@ -213,7 +134,7 @@ TEST_CASE("levels are nested, each with its error, each in a file and a picture 
   for (const std::string by : {"lepp", "greedy"}) {
     CAPTURE(by);
     const Outcome made =
-        run(folder.path(), "terrain " + hill +
+        run(folder.path(), "terrain " + hill() +
                                " -o t.obj --force --max-error 2 --levels 20,8 "
                                "--picture t.png --picture-width 60 --json - --by " +
                                by);
@@ -236,71 +157,10 @@ TEST_CASE("levels are nested, each with its error, each in a file and a picture 
   }
 }
 
-TEST_CASE("tiles share the vertices of their borders, and join without a gap") {
-  const ScratchFolder folder;
-  const HeightGrid grid = hill_grid();
-  for (const std::string by : {"lepp", "greedy"}) {
-    CAPTURE(by);
-    const Outcome made =
-        run(folder.path(), "terrain " + hill +
-                               " -o t.obj --force --max-error 3 "
-                               "--tiles 2x2 --tile-output both --levels 12 --json - --by " +
-                               by);
-    REQUIRE(made.status == 0);
-    const Json report = Json::parse(made.out);
-    CHECK(report["tiles"].size() == 4);
-    CHECK(report["valid"] == true);
-    const double middle = grid.origin.x + 29 * grid.step_x;  // 59 columns of cells in two
-    for (const std::string row : {"0", "1"}) {
-      const auto west = on_line(read_obj(folder / ("t_" + row + "_0.obj")), 0, middle);
-      CHECK(west.size() > 5);
-      CHECK(west == on_line(read_obj(folder / ("t_" + row + "_1.obj")), 0, middle));
-      CHECK(west == on_line(read_obj(folder / ("t_" + row + "_1.level1.obj")), 0, middle));
-    }
-    const ObjTin joined = read_obj(folder / "t.obj");
-    const Found found = measured(joined, grid);
-    CHECK(found.error <= 3 + 1e-9);
-    CHECK(found.outside == 0);
-    CHECK(found.covered == 0);
-    CHECK(report["vertices"] == joined.vertices.size());
-    CHECK(std::set<Place>(joined.vertices.begin(), joined.vertices.end()).size() ==
-          joined.vertices.size());
-  }
-}
-
-TEST_CASE("two grids cut apart agree on the line they share, whatever lies beside it") {
-  const ScratchFolder folder;
-  const auto cut = [&](const std::string& name, int first, int last, double slope) {
-    std::ofstream out(folder / name);
-    out << "ncols " << last - first + 1 << "\nnrows 30\nxllcenter " << 100 + 10 * first
-        << "\nyllcenter 50\ncellsize 10\n";
-    for (int row = 0; row < 30; ++row) {
-      for (int c = first; c <= last; ++c) {
-        const double beside = slope * std::abs(c - 20) * ((row * 7 + c * 3) % 5);
-        out << std::round(100 * std::sin(0.3 * row) + beside) << ' ';
-      }
-      out << '\n';
-    }
-  };
-  cut("west.asc", 0, 20, 4);
-  cut("east.asc", 20, 45, 0.1);
-  for (const std::string by : {"lepp", "greedy"}) {
-    for (const std::string side : {"west", "east"}) {
-      const Outcome made =
-          run(folder.path(), "terrain " + side + ".asc -o " + side +
-                                 ".obj --force --max-error 6 --border-error 6 -q --by " + by);
-      CHECK(made.status == 0);
-    }
-    const auto shared = on_line(read_obj(folder / "west.obj"), 0, 300);
-    CHECK(shared.size() > 8);
-    CHECK(shared == on_line(read_obj(folder / "east.obj"), 0, 300));
-  }
-}
-
 TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
   const ScratchFolder folder;
   const Outcome made =
-      run(folder.path(), "terrain " + hill + " -o t.msh --max-error 3 --nonobtuse --json -");
+      run(folder.path(), "terrain " + hill() + " -o t.msh --max-error 3 --nonobtuse --json -");
   REQUIRE(made.status == 0);
   const Json report = Json::parse(made.out);
   CHECK(report["admissible"] == true);
@@ -330,7 +190,7 @@ TEST_CASE("the surface metric keeps the error, and lists what breaks its criteri
   for (const std::string effort : {"fast", "normal"}) {
     CAPTURE(effort);
     const Outcome made = run(
-        folder.path(), "terrain " + hill + " -o t.obj --force --json - --max-error 2 --metric " +
+        folder.path(), "terrain " + hill() + " -o t.obj --force --json - --max-error 2 --metric " +
                            "surface --effort " + effort);
     REQUIRE(made.status == 0);
     const Json report = Json::parse(made.out);
@@ -341,49 +201,6 @@ TEST_CASE("the surface metric keeps the error, and lists what breaks its criteri
     CHECK(report["in_space"]["mean_min_angle_deg"] > 30);
     for (const Json& edge : report["in_space"]["kept_edges"]) CHECK(edge.contains("kept_by"));
     CHECK(has(made.err, "edges against the sphere rule"));
-  }
-}
-
-TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") {
-  const ScratchFolder folder;
-  folder.put("clip.geojson",
-             R"({"type": "Polygon", "coordinates": [[[431400, 5103600], [432300, 5103600],
-                [432300, 5104100], [431400, 5104100], [431400, 5103600]]]})");
-  folder.put("dyke.geojson", R"({"type": "LineString", "coordinates":
-                [[431500, 5103700, 800], [432200, 5104000, 800]]})");
-  const Outcome made = run(folder.path(), "terrain " + hill +
-                                              " -o t.obj --max-error 5 -q --clip "
-                                              "clip.geojson --soft-breaklines dyke.geojson");
-  CHECK(made.status == 0);
-  const ObjTin soft = read_obj(folder / "t.obj");
-  for (const Place& v : soft.vertices) {
-    CHECK(v[0] >= 431400);
-    CHECK(v[1] <= 5104100);
-    CHECK(v[2] < 800);
-  }
-  const Outcome hard =
-      run(folder.path(), "terrain " + hill +
-                             " -o h.obj --max-error 5 --clip "
-                             "clip.geojson --breaklines dyke.geojson --allow-unfinished");
-  CAPTURE(hard.out);
-  CHECK((hard.status == 0 || hard.status == 3));
-  const ObjTin dyke = read_obj(folder / "h.obj");
-  CHECK(std::ranges::count_if(dyke.vertices, [](const Place& v) { return v[2] == 800; }) >= 2);
-}
-
-TEST_CASE("clip polygons and breaklines are inputs: nothing replaces them, --force or not") {
-  const ScratchFolder folder;
-  const std::string lines = R"({"type": "Polygon", "coordinates": [[[431400, 5103600],
-                            [432300, 5103600], [432300, 5104100], [431400, 5103600]]]})";
-  for (const std::string option : {"--clip", "--breaklines", "--soft-breaklines"}) {
-    CAPTURE(option);
-    folder.put("lines.json", lines);
-    const std::string start = "terrain " + hill + " -q --force --max-error 5 " + option;
-    CHECK(run(folder.path(), start + " lines.json -o t.obj --json lines.json").status == 5);
-    folder.put("lines.obj", lines);
-    CHECK(run(folder.path(), start + " lines.obj -o lines.obj").status == 5);
-    CHECK(content_of(folder / "lines.json") == lines);
-    CHECK(content_of(folder / "lines.obj") == lines);
   }
 }
 
@@ -424,4 +241,42 @@ TEST_CASE("the DEM of the paper: errors of one nested sequence at 4, 43, 275 and
     CHECK(level["vertices"] <= counts[i]);
     CHECK(level["error"]["max"] <= published[i] + 0.05);
   }
+}
+
+TEST_CASE("--fit-heights: the same places, the bound kept, a smaller root mean square") {
+  const ScratchFolder folder;
+  const HeightGrid grid = hill_grid();
+  const std::string rest = " --max-error 4 --levels 20 --json - -o ";
+  const Outcome made = run(folder.path(), "terrain " + hill() + rest + "plain.obj");
+  const Outcome fitted =
+      run(folder.path(), "terrain " + hill() + " --fit-heights" + rest + "fitted.obj");
+  REQUIRE(made.status == 0);
+  REQUIRE(fitted.status == 0);
+  const Json before = Json::parse(made.out), after = Json::parse(fitted.out);
+  CHECK(after["vertices"] == before["vertices"]);
+  CHECK(before["unfitted_error"].is_null());
+  CHECK(after["unfitted_error"]["rms"] == before["error"]["rms"]);
+  CHECK(after["error"]["rms"] < 0.95 * before["error"]["rms"].get<double>());
+  CHECK(after["levels"][0]["error"]["rms"] < before["levels"][0]["error"]["rms"]);
+  CHECK(measured(read_obj(folder / "fitted.obj"), grid).error <= 4 + 1e-9);
+  CHECK(run(folder.path(), "terrain " + hill() + " --fit-heights --metric surface" + rest + "x.obj")
+            .status == 1);
+}
+
+TEST_CASE("--fit-heights: tiles keep the heights of their borders") {
+  const ScratchFolder folder;
+  const HeightGrid grid = hill_grid();
+  const Outcome made = run(folder.path(), "terrain " + hill() +
+                                              " -o t.obj --max-error 3 --tiles 2x2 --tile-output "
+                                              "both --fit-heights --json -");
+  REQUIRE(made.status == 0);
+  const Json report = Json::parse(made.out);
+  CHECK(report["error"]["rms"] < report["unfitted_error"]["rms"]);
+  const double middle = grid.origin.x + 29 * grid.step_x;
+  for (const std::string row : {"0", "1"}) {
+    const auto west = on_line(read_obj(folder / ("t_" + row + "_0.obj")), 0, middle);
+    CHECK(west.size() > 5);
+    CHECK(west == on_line(read_obj(folder / ("t_" + row + "_1.obj")), 0, middle));
+  }
+  CHECK(measured(read_obj(folder / "t.obj"), grid).error <= 3 + 1e-9);
 }

@@ -114,6 +114,31 @@ TEST_CASE("simplify: levels are prefixes of one another, with the error that was
   }
 }
 
+TEST_CASE("simplify: a TIN that reaches several levels at once is each of them") {
+  const HeightGrid flat = test::grid_of(30, 20, [](double, double) { return 7; });
+  const HeightGrid uneven = hills(70, 50);
+  for (const SimplifyBy by : both) {
+    SimplifyOptions options{.max_error = 2, .by = by};
+    options.level_errors = {500, 400, 300, 20};
+    std::size_t levels = 0;
+    options.on_level = [&](const Tin&, const TerrainLevel&) { ++levels; };
+    SimplifyReport report;
+    simplify(uneven, rectangle(uneven), options, report);
+    CHECK(levels == 4);
+    REQUIRE(report.levels.size() == 5);
+    CHECK(report.levels[0].vertices == report.levels[2].vertices);
+    CHECK(report.levels[2].vertices < report.levels[3].vertices);
+    CHECK(report.levels[3].max_error <= 20);
+    simplify(flat, rectangle(flat), options, report);
+    CHECK(report.levels.size() == 5);
+    options.level_errors = {3};
+    options.level_vertices = {100, 200};
+    options.max_vertices = 300;
+    simplify(flat, rectangle(flat), options, report);
+    CHECK(report.levels.size() == 4);
+  }
+}
+
 TEST_CASE("simplify: a bound on vertices is kept, and levels end at their counts") {
   const HeightGrid grid = hills(70, 50);
   SimplifyOptions options{

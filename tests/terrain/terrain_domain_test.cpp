@@ -65,3 +65,42 @@ TEST_CASE("no sample is lost and none without data covered, whatever the pattern
     REQUIRE(found.covered == 0);
   }
 }
+
+TEST_CASE(
+    "samples alone on a side can be covered without leaving the grid, so that two grids that "
+    "share a line of samples never overlap") {
+  constexpr std::uint64_t seed = 5;
+  CAPTURE(seed);
+  test::Random random(seed);
+  std::size_t triangles_on_sides = 0;
+  for (int i = 0; i < 200; ++i) {
+    CAPTURE(i);
+    const double share = random.real(0.2, 0.8);
+    std::vector<std::string> picture(7, std::string(9, '.'));
+    for (std::string& row : picture) {
+      for (char& c : row) {
+        if (random.real() < share) c = '1';
+      }
+    }
+    picture[0][0] = '1';
+    const HeightGrid grid = test::grid_of(picture, i % 3 == 0 ? 1.7 : 1);
+    const Pslg pslg = terrain_domain(grid, {.islands_stay_inside = true}).pslg;
+    const double north = grid.sample(0, grid.rows - 1).y;
+    for (const Point p : pslg.points) {
+      REQUIRE(p.x >= 0);
+      REQUIRE(p.x <= 8);
+      REQUIRE(p.y >= 0);
+      REQUIRE(p.y <= north);
+      const double line = p.y / grid.aspect();
+      const bool on_side = p.x == 0 || p.x == 8 || p.y == 0 || p.y == north;
+      if (on_side) REQUIRE((p.x == std::floor(p.x) && line == std::floor(line)));
+    }
+    const std::size_t plain = terrain_domain(grid).pslg.points.size();
+    triangles_on_sides += plain - pslg.points.size();  // three corners in place of four
+    const Mesh mesh = constrained_delaunay(pslg).mesh;
+    const test::Coverage found = test::coverage(grid, mesh);
+    REQUIRE(found.lost == 0);
+    REQUIRE(found.covered == 0);
+  }
+  CHECK(triangles_on_sides > 100);
+}

@@ -203,3 +203,49 @@ TEST_CASE("fixed sides get no vertex, also where the outline meets them at a sha
   }
   CHECK(sharp > 0);  // some triangles do suffer, and say so
 }
+
+TEST_CASE(
+    "grids cut apart elsewhere have the same vertices along what both outlines follow, but where "
+    "one of them turns") {
+  constexpr std::uint64_t seed = 3;
+  CAPTURE(seed);
+  Random random(seed);
+  constexpr std::uint32_t columns = 11, rows = 40, middle = 5;
+  std::size_t compared = 0;
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const double share = random.real(0.02, 0.3);
+    const HeightGrid whole = grid_of(columns, rows, [&](double x, double y) {
+      return random.real() < share ? double(no_data) : hill(x, 3 * y);
+    });
+    const HeightGrid west = part_of(whole, 0, middle + 1);
+    const HeightGrid east = part_of(whole, middle, columns - middle);
+    std::array<std::vector<bool>, 2> vertex, covered;
+    std::vector<bool> turns(rows);
+    for (const std::size_t k : {0, 1}) {
+      const HeightGrid& grid = k == 0 ? west : east;
+      TerrainDomain domain = terrain_domain(grid, {.islands_stay_inside = true});
+      const double line = k == 0 ? middle : 0;
+      for (const Point p : domain.pslg.points) {
+        if (p.x == line) turns[std::size_t(p.y)] = true;
+      }
+      fix_borders(grid, 10, domain);
+      vertex[k].resize(rows);
+      covered[k].resize(rows);
+      for (const Segment& s : domain.pslg.segments) {
+        const Point a = domain.pslg.points[s.a.index()], b = domain.pslg.points[s.b.index()];
+        if (a.x != line || b.x != line) continue;
+        const auto [low, high] = std::minmax(a.y, b.y);
+        vertex[k][std::size_t(low)] = vertex[k][std::size_t(high)] = true;
+        for (auto y = std::size_t(low); y < std::size_t(high); ++y) covered[k][y] = true;
+      }
+    }
+    for (std::size_t y = 1; y + 1 < rows; ++y) {
+      if (!(covered[0][y - 1] && covered[0][y] && covered[1][y - 1] && covered[1][y])) continue;
+      if (turns[y]) continue;
+      REQUIRE(vertex[0][y] == vertex[1][y]);
+      ++compared;
+    }
+  }
+  CHECK(compared > 200);
+}

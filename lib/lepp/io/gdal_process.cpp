@@ -68,7 +68,7 @@ Record receive(Helper& helper, const RecordKind& kind, std::size_t most) {
 }
 
 HeightGrid receive_header(Helper& helper, const fs::path& path) {
-  auto raster = receive<GdalRaster>(helper, gdal_raster_kind, std::size_t{1} << 20);
+  auto raster = receive<GdalRaster>(helper, gdal_raster_kind, std::size_t{1} << 26);
   if (raster.failure) throw_failure(*raster.failure, path);
   HeightGrid grid;
   grid.source = path.string();
@@ -79,6 +79,7 @@ HeightGrid receive_header(Helper& helper, const fs::path& path) {
   grid.step_x = raster.step_x;
   grid.step_y = raster.step_y;
   grid.crs = std::move(raster.crs);
+  grid.files = std::move(raster.files);
   for (const std::string& warning : raster.warnings)
     grid.warnings.push_back(grid.source + ": " + warning);
   return grid;

@@ -8,7 +8,7 @@ void fields(auto& archive, Is<GdalFailure> auto& f) {
 }
 void fields(auto& archive, Is<GdalRaster> auto& r) {
   archive(r.failure, r.columns, r.rows, r.georeferenced, r.degrees, r.origin, r.step_x, r.step_y,
-          r.crs, r.warnings);
+          r.crs, r.warnings, r.files);
 }
 void fields(auto& archive, Is<GdalRasterEnd> auto& e) { archive(e.failure, e.rounding); }
 void fields(auto& archive, Is<GdalPart> auto& p) { archive(p.kind, p.rings, p.heights); }

@@ -35,6 +35,7 @@ struct GdalRaster {
   double step_x = 1, step_y = -1;
   std::string crs;  ///< WKT
   std::vector<std::string> warnings;
+  std::vector<std::string> files;  ///< all that GDAL reads for it, such as the parts of a mosaic
 };
 
 /// What is known only after all heights.
@@ -63,7 +64,7 @@ struct GdalLines {
   std::vector<GdalFeature> features;
 };
 
-inline constexpr RecordKind gdal_raster_kind = {{'g', 'd', 'a', 'l', 'r', 'a', 's', 't'}, 1};
+inline constexpr RecordKind gdal_raster_kind = {{'g', 'd', 'a', 'l', 'r', 'a', 's', 't'}, 2};
 inline constexpr RecordKind gdal_end_kind = {{'g', 'd', 'a', 'l', 'r', 'e', 'n', 'd'}, 1};
 inline constexpr RecordKind gdal_lines_kind = {{'g', 'd', 'a', 'l', 'l', 'i', 'n', 'e'}, 1};
 

@@ -47,6 +47,7 @@ void read_prj(const fs::path& path, HeightGrid& grid) {
   beside.replace_extension(".prj");
   std::error_code error;
   if (!fs::is_regular_file(beside, error) || fs::file_size(beside, error) == 0) return;
+  grid.files.push_back(beside.string());
   std::string text = read_text_file(beside, most).text;
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   for (const char* geographic : {"GEOGCS[", "GEOGCRS[", "GEODCRS["}) {

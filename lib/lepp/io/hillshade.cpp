@@ -8,6 +8,7 @@
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/picture_frame.hpp"
 #include "lepp/io/png.hpp"
+#include "lepp/io/svg_drawing.hpp"
 
 namespace lepp {
 
@@ -60,69 +61,24 @@ std::string hexadecimal(const Color& color) {
   return text;
 }
 
-class SvgDrawing {
- public:
-  SvgDrawing(OutputFile& out, const PictureFrame& frame) : out_(out), frame_(frame) {
-    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
-    out_.fixed(frame.width(), 1) << "\" height=\"";
-    out_.fixed(frame.height(), 1) << "\" viewBox=\"0 0 ";
-    out_.fixed(frame.width(), 1) << ' ';
-    out_.fixed(frame.height(), 1)
-        << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  }
-
-  void triangles(const Mesh& mesh, const Hillshade& shade) {
-    // Lines of the fill's own colour close the hair between neighbours.
-    out_ << "<g stroke-width=\"0.6\" stroke-linejoin=\"round\">\n";
-    for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-      const std::string color = hexadecimal(shade(TriangleId(i)));
-      out_ << "<path fill=\"" << color << "\" stroke=\"" << color << "\" d=\"";
-      const auto corners = mesh.corners(TriangleId(i));
-      for (std::size_t k = 0; k < 3; ++k) place(k == 0 ? 'M' : 'L', corners[k]);
-      out_ << "Z\"/>\n";
-    }
-    out_ << "</g>\n";
-  }
-
-  void edges(const Mesh& mesh, std::string_view color, double width, auto is_drawn) {
-    out_ << "<path fill=\"none\" stroke=\"" << color << "\" stroke-width=\"";
-    out_.fixed(width, 2) << "\" stroke-linecap=\"round\" d=\"";
-    for_each_edge(mesh, [&](HalfEdge e) {
-      if (!is_drawn(e)) return;
-      place('M', mesh.point(mesh.origin(e)));
-      place('L', mesh.point(mesh.destination(e)));
-    });
-    out_ << "\"/>\n";
-  }
-
-  void end() { out_ << "</svg>\n"; }
-
- private:
-  void place(char command, Point p) {
-    const Point at = frame_.place(p);
-    out_ << command;
-    out_.fixed(at.x, 2) << ' ';
-    out_.fixed(at.y, 2);
-  }
-
-  OutputFile& out_;
-  const PictureFrame& frame_;
-};
-
 void write_svg(const Tin& tin, const std::filesystem::path& path, const Hillshade& shade,
                const HillshadeOptions& options) {
-  const PictureFrame frame(tin.mesh.points(), options.width, 10);
+  const Mesh& mesh = tin.mesh;
+  const PictureFrame frame(mesh.points(), options.width, 10);
   const double stroke = options.width / 1000;
   AtomicFiles files;
   SvgDrawing drawing(files.add(path), frame);
-  drawing.triangles(tin.mesh, shade);
-  if (draws_edges(tin, frame, options)) {
-    drawing.edges(tin.mesh, "#33404d", 0.35 * stroke, [](HalfEdge) { return true; });
+  drawing.open_polygons(0.6);
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    drawing.polygon(mesh.corners(TriangleId(i)), hexadecimal(shade(TriangleId(i))));
   }
-  drawing.edges(tin.mesh, "#1b4f9c", 1.6 * stroke,
-                [&](HalfEdge e) { return tin.mesh.is_constrained(e) && !tin.mesh.is_boundary(e); });
-  drawing.edges(tin.mesh, "#1d2b3a", 1.2 * stroke,
-                [&](HalfEdge e) { return tin.mesh.is_boundary(e); });
+  drawing.close_polygons();
+  if (draws_edges(tin, frame, options)) {
+    drawing.edges(mesh, "#33404d", 0.35 * stroke, [](HalfEdge) { return true; });
+  }
+  drawing.edges(mesh, "#1b4f9c", 1.6 * stroke,
+                [&](HalfEdge e) { return mesh.is_constrained(e) && !mesh.is_boundary(e); });
+  drawing.edges(mesh, "#1d2b3a", 1.2 * stroke, [&](HalfEdge e) { return mesh.is_boundary(e); });
   drawing.end();
   files.commit();
 }

@@ -8,6 +8,7 @@
 
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/picture_frame.hpp"
+#include "lepp/io/svg_drawing.hpp"
 
 namespace lepp {
 
@@ -20,42 +21,8 @@ constexpr std::string_view edge_color = "#7d8b99", inside_color = "#b3541e",
                            boundary_color = "#1d2b3a", box_color = "#2a7f62";
 constexpr double margin = 10;
 
-// Paths of an SVG drawing.
-class Drawing {
- public:
-  Drawing(OutputFile& out, const PictureFrame& frame) : out_(out), frame_(frame) {
-    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"";
-    out_.fixed(frame.width(), 1) << "\" height=\"";
-    out_.fixed(frame.height(), 1) << "\" viewBox=\"0 0 ";
-    out_.fixed(frame.width(), 1) << ' ';
-    out_.fixed(frame.height(), 1)
-        << "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
-  }
-
-  void open_path(std::string_view fill, std::string_view stroke, double stroke_width) {
-    out_ << "<path fill=\"" << fill << "\" stroke=\"" << stroke << "\" stroke-width=\"";
-    out_.fixed(stroke_width, 2) << "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" d=\"";
-  }
-  void move(Point p) { place('M', p); }
-  void line(Point p) { place('L', p); }
-  void close_ring() { out_ << "Z\n"; }
-  void close_path() { out_ << "\"/>\n"; }
-  void end() { out_ << "</svg>\n"; }
-
- private:
-  void place(char command, Point p) {
-    const Point at = frame_.place(p);
-    out_ << command;
-    out_.fixed(at.x, 2) << ' ';
-    out_.fixed(at.y, 2);
-  }
-
-  OutputFile& out_;
-  const PictureFrame& frame_;
-};
-
 // The triangles of each region; one path each.
-void draw_triangles(Drawing& drawing, const Mesh& mesh, double stroke) {
+void draw_triangles(SvgDrawing& drawing, const Mesh& mesh, double stroke) {
   std::vector<std::vector<TriangleId>> of_region;
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
     const std::size_t region = mesh.region(TriangleId(i)).index();
@@ -76,20 +43,6 @@ void draw_triangles(Drawing& drawing, const Mesh& mesh, double stroke) {
   }
 }
 
-void draw_edges(Drawing& drawing, const Mesh& mesh, std::string_view color, double stroke,
-                auto is_drawn) {
-  drawing.open_path("none", color, stroke);
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      if (!is_drawn(e)) continue;
-      drawing.move(mesh.point(mesh.origin(e)));
-      drawing.line(mesh.point(mesh.destination(e)));
-    }
-  }
-  drawing.close_path();
-}
-
 // True if pq runs along a side of the triangle, as far as rounding lets one tell.
 bool runs_along_a_side(const std::array<Point, 3>& triangle, Point p, Point q) {
   constexpr double tolerance = 1e-9;  // of the side's length
@@ -107,7 +60,7 @@ bool runs_along_a_side(const std::array<Point, 3>& triangle, Point p, Point q) {
 // they do, the same box goes on beyond (in a Delaunay triangulation), or the edge is constrained
 // and drawn already. Two boxes see a face in opposite directions; a slanted direction, which no
 // face of a regular mesh is normal to, tells which of them draws it.
-void draw_boxes(Drawing& drawing, const Mesh& mesh, const VoronoiBoxes& boxes, double stroke) {
+void draw_boxes(SvgDrawing& drawing, const Mesh& mesh, const VoronoiBoxes& boxes, double stroke) {
   constexpr Point slanted{0.618, 0.786};
   drawing.open_path("none", box_color, stroke);
   for (std::uint32_t i = 0; i < boxes.piece_triangle.size(); ++i) {
@@ -130,15 +83,13 @@ void write_picture(const Mesh& mesh, const std::filesystem::path& path,
   const PictureFrame frame(mesh.points(), options.width, margin);
   const double stroke = options.width / 1000;  // thinner lines in a smaller drawing
   AtomicFiles files;
-  Drawing drawing(files.add(path), frame);
+  SvgDrawing drawing(files.add(path), frame);
   draw_triangles(drawing, mesh, 0.6 * stroke);
   if (options.boxes != nullptr) draw_boxes(drawing, mesh, *options.boxes, 0.9 * stroke);
-  draw_edges(drawing, mesh, inside_color, 1.8 * stroke, [&](HalfEdge e) {
-    const auto across = mesh.twin(e);
-    return mesh.is_constrained(e) && across && e < *across;
-  });
-  draw_edges(drawing, mesh, boundary_color, 2.6 * stroke,
-             [&](HalfEdge e) { return mesh.is_boundary(e); });
+  drawing.edges(mesh, inside_color, 1.8 * stroke,
+                [&](HalfEdge e) { return mesh.is_constrained(e) && !mesh.is_boundary(e); });
+  drawing.edges(mesh, boundary_color, 2.6 * stroke,
+                [&](HalfEdge e) { return mesh.is_boundary(e); });
   drawing.end();
   files.commit();
 }

@@ -54,6 +54,7 @@ add_library(lepp_io
   lepp/io/sample_values.cpp
   lepp/io/selafin_write.cpp
   lepp/io/size_file.cpp
+  lepp/io/svg_drawing.cpp
   lepp/io/terrain_lines.cpp
   lepp/io/terrain_report.cpp
   lepp/io/terrain_report_text.cpp

@@ -33,7 +33,7 @@ Json unfitted(const TerrainFigures& figures) {
   return {{"max", figures.unfitted->max}, {"rms", figures.unfitted->rms}};
 }
 
-Json list_of(const std::vector<TerrainFigures>& list) {
+Json list_of(const std::vector<TerrainFigures>& list, bool with_problems) {
   Json json = Json::array();
   for (const TerrainFigures& figures : list) {
     json.push_back({{"name", figures.name},
@@ -42,8 +42,14 @@ Json list_of(const std::vector<TerrainFigures>& list) {
                     {"triangles", figures.triangles},
                     {"error", error(figures)},
                     {"unfitted_error", unfitted(figures)}});
+    if (!with_problems) continue;
+    json.back()["problem"] = figures.problem.empty() ? Json() : Json(figures.problem);
   }
   return json;
+}
+
+Json numbers_of(const std::optional<GridWindow>& w) {
+  return w ? Json({w->column, w->row, w->columns, w->rows}) : Json();
 }
 
 Json below_bound(const ReasonCounts& counts) {
@@ -58,8 +64,11 @@ Json asked_for(const TerrainReport& r) {
   return {{"by", r.by},
           {"metric", r.metric},
           {"max_error", optional(r.max_error)},
+          {"border_error", optional(r.border_error)},
           {"max_vertices", optional(r.max_vertices)},
-          {"min_angle_deg", optional(r.min_angle_deg)}};
+          {"min_angle_deg", optional(r.min_angle_deg)},
+          {"window", numbers_of(r.window)},
+          {"tiles", optional(r.tiling)}};
 }
 
 Json place(Point p) { return {p.x, p.y}; }
@@ -112,8 +121,8 @@ std::string to_json(const TerrainReport& r) {
   json["triangles"] = r.whole.triangles;
   json["error"] = error(r.whole);
   json["unfitted_error"] = unfitted(r.whole);
-  json["levels"] = list_of(r.levels);
-  json["tiles"] = list_of(r.tiles);
+  json["levels"] = list_of(r.levels, false);
+  json["tiles"] = list_of(r.tiles, true);
   json["min_angle_deg"] = r.min_angle_deg_found;
   json["mean_min_angle_deg"] = r.mean_min_angle_deg;
   json["max_angle_deg"] = r.max_angle_deg_found;

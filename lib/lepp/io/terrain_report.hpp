@@ -23,8 +23,9 @@ struct TerrainFigures {
   std::string name;    ///< "level 1", "tile 0 2"; empty: the whole
   std::size_t vertices = 0, triangles = 0;
   TerrainError error;
-  Point error_at;  ///< world coordinates of the sample
-  std::optional<TerrainError> unfitted;  ///< before heights were fitted, if they were
+  Point error_at;                             ///< world coordinates of the sample
+  std::string problem = {};                   ///< of a tile that was not written: why; else empty
+  std::optional<TerrainError> unfitted = {};  ///< before heights were fitted, if they were
 };
 
 /// How many triangles have their smallest angle from 5 i to 5 (i + 1) degrees.
@@ -53,12 +54,14 @@ struct TerrainReport {
   std::size_t samples = 0;            ///< with data
   double lowest = 0, highest = 0;     ///< heights
   std::string by, metric;
-  std::optional<double> max_error;  ///< asked for
+  std::optional<double> max_error, border_error;  ///< asked for
   std::optional<std::size_t> max_vertices;
   std::optional<double> min_angle_deg;
-  TerrainFigures whole;                ///< of the finest level; over all tiles
-  std::vector<TerrainFigures> levels;  ///< coarser ones, the coarsest first
-  std::vector<TerrainFigures> tiles;   ///< row by row
+  std::optional<GridWindow> window;                  ///< that alone was read
+  std::optional<std::array<std::size_t, 2>> tiling;  ///< rows and columns of tiles
+  TerrainFigures whole;                              ///< of the finest level; over all tiles
+  std::vector<TerrainFigures> levels;                ///< coarser ones, the coarsest first
+  std::vector<TerrainFigures> tiles;  ///< row by row; the last one may have a problem
   double min_angle_deg_found = 0, max_angle_deg_found = 0, mean_min_angle_deg = 0;
   AngleHistogram smallest_angles{};
   TerrainInSpace in_space;

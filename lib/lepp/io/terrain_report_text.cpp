@@ -17,18 +17,22 @@ std::string place(const TerrainFigures& f) {
 
 // What was made, a line each: vertices, triangles and the error found.
 std::string table(const TerrainReport& r) {
-  const auto& list = r.tiles.empty() ? r.levels : r.tiles;
+  std::vector<TerrainFigures> list = r.tiles;
+  list.insert(list.end(), r.levels.begin(), r.levels.end());
   if (list.empty()) return {};
   std::string text = fmt::format("{:<34}{:>10}{:>10}{:>14}{:>12}  {}\n", "", "vertices",
                                  "triangles", "max. error", "RMS", "file");
   const auto row = [&](const std::string& name, const TerrainFigures& f) {
     text += fmt::format("{:<34}{:>10}{:>10}{:>14.6g}{:>12.4g}  {}\n", name, f.vertices, f.triangles,
-                        f.error.max, f.error.rms, f.output);
+                        f.error.max, f.error.rms, f.problem.empty() ? f.output : f.problem);
   };
-  constexpr std::size_t shown_at_most = 20;
-  for (std::size_t i = 0; i < std::min(list.size(), shown_at_most); ++i) row(list[i].name, list[i]);
-  if (list.size() > shown_at_most) {
-    text += fmt::format("... and {} more\n", list.size() - shown_at_most);
+  // The last ones are levels, or a tile that ended the run.
+  constexpr std::size_t shown_first = 20, shown_last = 5;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const bool is_shown = i < shown_first || i + shown_last >= list.size();
+    if (is_shown) row(list[i].name, list[i]);
+    else if (i == shown_first)
+      text += fmt::format("... and {} more\n", list.size() - shown_first - shown_last);
   }
   row(r.tiles.empty() ? "finest" : "all", r.whole);
   return text + '\n';

@@ -66,6 +66,10 @@ std::string tin_file_kinds();  ///< for messages
 /// but where the format holds it: UGRID.
 std::vector<std::filesystem::path> tin_files_of(const std::filesystem::path& path, bool has_crs);
 
+/// True if a file is a .prj with this coordinate reference system, blanks at its end apart: a TIN
+/// beside its grid may share it, and write_tin() leaves it as it is.
+bool is_prj_of(const std::filesystem::path& path, const std::string& crs);
+
 /// Writes the format that the name says: the ones above, .msh, .vtu (heights as z and as point
 /// data `height`) and .ele (with .node and .poly; heights as attribute). \pre is_tin_file(path)
 void write_tin(const WorldTin& tin, const std::filesystem::path& path,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string_view>
 
 #include "lepp/io/atomic_files.hpp"
@@ -24,8 +25,10 @@ void write_vtu(const WorldTin& tin, const fs::path& path) {
 }
 
 void write_prj(const WorldTin& tin, const fs::path& path) {
+  const fs::path prj = fs::path(path).replace_extension(".prj");
+  if (is_prj_of(prj, tin.crs)) return;
   AtomicFiles files;
-  files.add(fs::path(path).replace_extension(".prj")) << tin.crs << '\n';
+  files.add(prj) << tin.crs << '\n';
   files.commit();
 }
 
@@ -53,6 +56,17 @@ std::vector<fs::path> tin_files_of(const fs::path& path, bool has_crs) {
   if (kind == ".ele") files = {beside(".node"), path, beside(".poly")};
   if (has_crs && kind != ".nc") files.push_back(beside(".prj"));
   return files;
+}
+
+bool is_prj_of(const fs::path& path, const std::string& crs) {
+  std::error_code error;
+  if (path.extension() != ".prj" || !fs::is_regular_file(path, error)) return false;
+  const auto size = fs::file_size(path, error);
+  if (error || size < crs.size() || size > crs.size() + 64) return false;
+  std::ifstream in(path, std::ios::binary);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(size));
+  return in && text.starts_with(crs) && text.find_first_not_of(" \t\r\n", crs.size()) == text.npos;
 }
 
 void write_tin(const WorldTin& tin, const fs::path& path, const TinFormat& format) {

@@ -38,6 +38,7 @@ struct HeightGrid {
   double cell_width = 1, cell_height = 1;
   std::string source;                 ///< what messages call it
   std::vector<std::string> warnings;  ///< of the reader: one sentence each, ready to print
+  std::vector<std::string> files;     ///< that were read besides: parts of a mosaic, a .prj
 
   double aspect() const {
     // By bits: gcc 12 at -O3 drops the rounding of double(float(x)) where it vectorises.

@@ -34,25 +34,30 @@ bool Levels::has_ended(const Tin& tin, double error) const {
 }
 
 bool Levels::next(const Tin& tin, double error) {
+  if (cancelled_) return false;
   const std::size_t count = tin.mesh.vertex_count();
-  const std::size_t errors = options_.level_errors.size(), counts = options_.level_vertices.size();
-  if (cancelled_ || error <= last_error() || count >= options_.max_vertices) return false;
-  const bool by_error = next_error_ < errors && error <= this->error();
-  if (!by_error && next_count_ == counts) return false;
-  note(tin);
-  if (by_error) {
-    while (next_error_ < errors && error <= this->error()) ++next_error_;
-  } else {
-    ++next_count_;
-  }
-  while (next_count_ < counts && count >= vertices()) ++next_count_;
-  return true;
+  const bool is_last = error <= last_error() || count >= options_.max_vertices;
+  const std::size_t passed = pass(error, count, is_last);
+  if (passed > 0) note(tin, passed);
+  return passed > 0 && !is_last;
 }
 
-void Levels::note(const Tin& tin) {
+std::size_t Levels::pass(double error, std::size_t count, bool is_last) {
+  const std::size_t errors = options_.level_errors.size(), counts = options_.level_vertices.size();
+  const std::size_t before = next_error_ + next_count_;
+  while (next_error_ < errors && error <= this->error()) ++next_error_;
+  while (next_count_ < counts && (is_last || count >= vertices())) ++next_count_;
+  const bool has_given_up = next_error_ + next_count_ == before && next_count_ < counts;
+  if (has_given_up) ++next_count_;
+  return next_error_ + next_count_ - before;
+}
+
+void Levels::note(const Tin& tin, std::size_t levels) {
   const TerrainLevel level{tin.mesh.vertex_count(), measure_error(grid_, tin).max};
-  report_.levels.push_back(level);
-  if (options_.on_level) options_.on_level(tin, level);
+  for (; levels > 0; --levels) {
+    report_.levels.push_back(level);
+    if (options_.on_level) options_.on_level(tin, level);
+  }
 }
 
 }  // namespace lepp

@@ -7,7 +7,9 @@
 namespace lepp {
 
 /// The levels of detail that one run passes, from the coarsest on: where each one ends, and what it
-/// reached. A level ends at its error or at its count of vertices, whichever comes first.
+/// reached. A level ends at its error or at its count of vertices, whichever comes first. A TIN
+/// that reaches several at once is noted for each, the last one included, so that level i is there
+/// whatever the ground is like: tiles can be joined level by level.
 class Levels {
  public:
   Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report);
@@ -36,7 +38,9 @@ class Levels {
 
  private:
   double raised(double error) const { return error * (1 + 1e-12) + rounding_; }
-  void note(const Tin& tin);
+  // Goes on to the first level that is not reached. Returns how many that passes.
+  std::size_t pass(double error, std::size_t count, bool is_last);
+  void note(const Tin& tin, std::size_t levels);
 
   const HeightGrid& grid_;
   const SimplifyOptions& options_;

@@ -46,7 +46,8 @@ struct SimplifyOptions {
   TerrainMetric metric = TerrainMetric::planar;
   double min_angle_deg = 30;  ///< of `lepp`, in the plane with true cell sizes; 0 to 34
   /// One run gives nested levels: for each error (descending, above max_error) the vertices of a
-  /// level are the first ones of the next. Empty: the one level of max_error.
+  /// level are the first ones of the next. Empty: the one level of max_error. A TIN that reaches
+  /// several at once, as on flat ground, is all of them.
   std::vector<double> level_errors = {};
   /// Likewise by counts of vertices (ascending, below max_vertices).
   std::vector<std::size_t> level_vertices = {};

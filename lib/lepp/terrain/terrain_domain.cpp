@@ -21,20 +21,44 @@ double island_size(const HeightGrid& grid) {
   return std::exp2(std::floor(std::log2(std::min(1.0, grid.aspect())))) / 4;
 }
 
-void add_islands(const HeightGrid& grid, const Outline& outline, Pslg& pslg) {
+// From a sample on a side of the grid to the inside; 0, 0 from one that is on none.
+Point inward(const HeightGrid& grid, LatticePoint at) {
+  const auto along = [](std::uint32_t i, std::uint32_t count) {
+    return i == 0 ? 1.0 : i + 1 == count ? -1.0 : 0.0;
+  };
+  return {along(at.column, grid.columns), along(at.line, grid.rows)};
+}
+
+// Counter-clockwise, around the sample, or with a corner there and nothing else on the side:
+//
+//      |  b          d, from the sample s to the inside; a and b are on the square
+//      s --- d       that s would get elsewhere, or in the corner of the grid on
+//      |  a          half of it
+std::vector<Point> island_around(const HeightGrid& grid, LatticePoint at, bool stays_inside) {
   const double size = island_size(grid);
-  for (const LatticePoint island : outline.islands) {
-    const Point center = grid.sample(island.column, island.line);
-    const std::size_t first = pslg.points.size();
-    for (const Point corner : {Point{size, 0}, Point{0, size}, Point{-size, 0}, Point{0, -size}})
-      pslg.points.push_back(center + corner);
-    for (std::size_t k = 0; k < 4; ++k)
-      pslg.segments.push_back({VertexId(first + k), VertexId(first + (k + 1) % 4), CurveId(0U)});
+  const Point s = grid.sample(at.column, at.line);
+  const Point d = stays_inside ? inward(grid, at) : Point{0, 0};
+  const Point across{-d.y, d.x};
+  if (d == Point{0, 0})
+    return {s + Point{size, 0}, s + Point{0, size}, s - Point{size, 0}, s - Point{0, size}};
+  const bool in_corner = d.x != 0 && d.y != 0;
+  const double along = in_corner ? 0.375 * size : 0.5 * size;
+  const double aside = in_corner ? 0.125 * size : 0.5 * size;
+  return {s, s + along * d - aside * across, s + along * d + aside * across};
+}
+
+void add_islands(const HeightGrid& grid, const Outline& outline, bool stay_inside, Pslg& pslg) {
+  for (const LatticePoint at : outline.islands) {
+    const std::vector<Point> island = island_around(grid, at, stay_inside);
+    const std::size_t first = pslg.points.size(), n = island.size();
+    pslg.points.insert(pslg.points.end(), island.begin(), island.end());
+    for (std::size_t k = 0; k < n; ++k)
+      pslg.segments.push_back({VertexId(first + k), VertexId(first + (k + 1) % n), CurveId(0U)});
   }
 }
 
 // All segments are of curve 0.
-Pslg pslg_of_outline(const HeightGrid& grid) {
+Pslg pslg_of_outline(const HeightGrid& grid, bool islands_stay_inside) {
   const Outline outline = outline_of(grid);
   Pslg pslg;
   pslg.source = grid.source;
@@ -42,7 +66,7 @@ Pslg pslg_of_outline(const HeightGrid& grid) {
   for (const LatticePoint p : outline.corners) pslg.points.push_back(grid.sample(p.column, p.line));
   for (const auto& [a, b] : outline.edges)
     pslg.segments.push_back({VertexId(a), VertexId(b), CurveId(0U)});
-  add_islands(grid, outline, pslg);
+  add_islands(grid, outline, islands_stay_inside, pslg);
   return pslg;
 }
 
@@ -73,7 +97,7 @@ void check(const HeightGrid& grid) {
 
 TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& options) {
   check(grid);
-  Pslg outline = pslg_of_outline(grid);
+  Pslg outline = pslg_of_outline(grid, options.islands_stay_inside);
   if (outline.segments.empty()) {
     throw InputError(grid.source,
                      "all " + std::to_string(grid.size()) + " samples are without data",

@@ -26,6 +26,10 @@ struct ClipPolygon {
 struct DomainOptions {
   std::vector<ClipPolygon> clip = {};  ///< the union of them; empty: all of the grid
   std::vector<Breakline> breaklines = {};
+  /// A sample that stands alone on a side of the grid gets a triangle inside the grid, with a
+  /// corner at the sample, in place of a square around it: for a grid whose neighbours, not known
+  /// here, have the samples of that side too.
+  bool islands_stay_inside = false;
 };
 
 /// What is to be meshed, in grid space (height_grid.hpp).

@@ -1,0 +1,110 @@
+#include "terrain_reports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lepp::cli {
+
+namespace {
+
+// Means and root mean squares of two parts together.
+double joined_mean(double a, std::size_t n, double b, std::size_t m) {
+  const auto all = static_cast<double>(n + m);
+  return all > 0 ? (a * static_cast<double>(n) + b * static_cast<double>(m)) / all : 0;
+}
+
+void add_to(TerrainError& e, const TerrainError& p) {
+  const double mean_square = joined_mean(e.rms * e.rms, e.samples, p.rms * p.rms, p.samples);
+  if (p.max > e.max || e.samples == 0) {
+    e.max = p.max;
+    e.column = p.column;
+    e.row = p.row;
+  }
+  e.highest = std::max(e.highest, p.highest);
+  e.lowest = std::min(e.lowest, p.lowest);
+  e.rms = std::sqrt(mean_square);
+  e.samples += p.samples;
+  e.lost += p.lost;
+  e.covered += p.covered;
+}
+
+void add_to(TerrainFigures& whole, const TerrainFigures& part) {
+  if (part.error.max > whole.error.max || whole.error.samples == 0) whole.error_at = part.error_at;
+  add_to(whole.error, part.error);
+  if (part.unfitted) {
+    if (!whole.unfitted) whole.unfitted.emplace();
+    add_to(*whole.unfitted, *part.unfitted);
+  }
+  whole.vertices += part.vertices;
+  whole.triangles += part.triangles;
+}
+
+void add_to(TerrainSeconds& whole, const TerrainSeconds& part) {
+  whole.read += part.read;
+  whole.domain += part.domain;
+  whole.simplify += part.simplify;
+  whole.nonobtuse += part.nonobtuse;
+  whole.fit += part.fit;
+  whole.measure += part.measure;
+  whole.check += part.check;
+  whole.write += part.write;
+}
+
+void add_to(TerrainInSpace& whole, const TerrainInSpace& part) {
+  whole.plan_angle_deg = part.plan_angle_deg;
+  whole.tame += part.tame;
+  whole.untame += part.untame;
+  whole.kept_edges.insert(whole.kept_edges.end(), part.kept_edges.begin(), part.kept_edges.end());
+}
+
+}  // namespace
+
+void add_to(TerrainReport& whole, const TerrainReport& part) {
+  const bool is_first = whole.whole.triangles == 0;
+  const auto smaller = [&](double a, double b) { return is_first ? b : std::min(a, b); };
+  whole.min_angle_deg_found = smaller(whole.min_angle_deg_found, part.min_angle_deg_found);
+  whole.max_angle_deg_found = std::max(whole.max_angle_deg_found, part.max_angle_deg_found);
+  whole.mean_min_angle_deg = joined_mean(whole.mean_min_angle_deg, whole.whole.triangles,
+                                         part.mean_min_angle_deg, part.whole.triangles);
+  whole.in_space.min_angle_deg = smaller(whole.in_space.min_angle_deg, part.in_space.min_angle_deg);
+  whole.in_space.mean_min_angle_deg =
+      joined_mean(whole.in_space.mean_min_angle_deg, whole.whole.triangles,
+                  part.in_space.mean_min_angle_deg, part.whole.triangles);
+  add_to(whole.in_space, part.in_space);
+  for (std::size_t i = 0; i < whole.smallest_angles.size(); ++i) {
+    whole.smallest_angles[i] += part.smallest_angles[i];
+  }
+  for (std::size_t i = 0; i < whole.below_bound.size(); ++i) {
+    whole.below_bound[i] += part.below_bound[i];
+  }
+  whole.lowest = smaller(whole.lowest, part.lowest);
+  whole.highest = is_first ? part.highest : std::max(whole.highest, part.highest);
+  whole.obtuse_constrained += part.obtuse_constrained;
+  whole.goal_reached = (is_first || whole.goal_reached) && part.goal_reached;
+  whole.valid = whole.valid && part.valid;
+  if (part.error_kept) whole.error_kept = whole.error_kept.value_or(true) && *part.error_kept;
+  whole.samples += part.samples;
+  add_to(whole.whole, part.whole);
+  if (is_first) whole.levels.resize(part.levels.size());
+  for (std::size_t i = 0; i < whole.levels.size(); ++i) add_to(whole.levels[i], part.levels[i]);
+  add_to(whole.seconds, part.seconds);
+  for (const std::string& w : part.warnings) {
+    if (std::ranges::find(whole.warnings, w) == whole.warnings.end()) whole.warnings.push_back(w);
+  }
+  whole.violations.insert(whole.violations.end(), part.violations.begin(), part.violations.end());
+}
+
+void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report) {
+  const SimplifyOptions& options = job.simplify;
+  report.by = options.by == SimplifyBy::lepp ? "lepp" : "greedy";
+  report.metric = options.metric == TerrainMetric::planar ? "planar" : "surface";
+  if (!command.max_error.empty()) report.max_error = options.max_error;
+  report.border_error = job.border_error;
+  report.max_vertices = command.max_vertices;
+  if (options.by == SimplifyBy::lepp) report.min_angle_deg = options.min_angle_deg;
+  report.window = command.grid_window();
+  const TileCounts tiles = command.tile_counts();
+  if (command.has_tiles()) report.tiling = {tiles.rows, tiles.columns};
+}
+
+}  // namespace lepp::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lepp/io/terrain_report.hpp"
+#include "terrain_options.hpp"
+#include "terrain_run.hpp"
+
+namespace lepp::cli {
+
+/// Adds what was found for a tile to the report of the whole.
+void add_to(TerrainReport& whole, const TerrainReport& part);
+
+/// Fills in what a report says was asked for.
+void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report);
+
+}  // namespace lepp::cli
