@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "interrupt.hpp"
@@ -65,34 +66,9 @@ class Run {
  private:
   TerrainReport& report() { return made_.report; }
 
-  // Heights are kept as floats. Where the file has more digits, what that takes away counts, unless
-  // it is a millionth of their range or less.
-  double rounding() const {
-    constexpr double negligible = 1e-6;
-    const double range = report_highest() - report_lowest();
-    return grid_.rounding > negligible * range ? grid_.rounding : 0;
-  }
-
-  void allow_for_rounding(SimplifyOptions& options) {
-    const double rounding = this->rounding();
-    if (rounding == 0) return;
-    report().warnings.push_back("heights are kept as floats, which changes them by up to " +
-                                lepp::to_text(rounding) + "; the error kept allows for that");
-    if (!job_.claims_error) return;
-    if (options.max_error < rounding) {
-      throw InputError(grid_.source,
-                       "has heights of more digits than floats hold: they would change by up to " +
-                           lepp::to_text(rounding) + ", more than the error asked for",
-                       "ask for a larger error, or subtract a common height from all");
-    }
-    options.max_error -= rounding;
-    for (double& error : options.level_errors) error -= rounding;
-  }
-
   void simplify_grid() {
     Progress progress;
     SimplifyOptions options = job_.simplify;
-    allow_for_rounding(options);
     options.progress = [&](std::size_t vertices) { return progress(vertices); };
     options.on_level = [&](const Tin& tin, const TerrainLevel&) {
       made_.coarser.emplace_back().tin = tin;
@@ -127,7 +103,7 @@ class Run {
   void make_admissible() {
     Progress progress;
     NonobtuseTinOptions options;
-    options.max_error = job_.simplify.max_error - rounding();
+    options.max_error = job_.simplify.max_error;
     options.keep_error = job_.claims_error;
     options.min_angle_deg = job_.simplify.min_angle_deg;
     options.progress = [&](std::size_t vertices) { return progress(vertices); };
@@ -352,16 +328,18 @@ void describe(const HeightGrid& grid, TerrainReport& report) {
   report.columns = grid.columns;
   report.rows = grid.rows;
   report.valid = true;
-  float low = INFINITY, high = -INFINITY;
-  for (const float h : grid.heights) {
-    if (std::isnan(h)) continue;
-    ++report.samples;
-    low = std::min(low, h);
-    high = std::max(high, h);
-  }
-  if (report.samples == 0) return;
-  report.lowest = low;
-  report.highest = high;
+  grid.heights.visit([&]<class Height>(std::span<const Height> heights) {
+    Height low = INFINITY, high = -INFINITY;
+    for (const Height h : heights) {
+      if (std::isnan(h)) continue;
+      ++report.samples;
+      low = std::min(low, h);
+      high = std::max(high, h);
+    }
+    if (report.samples == 0) return;
+    report.lowest = low;
+    report.highest = high;
+  });
 }
 
 }  // namespace lepp::cli

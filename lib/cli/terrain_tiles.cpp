@@ -37,10 +37,6 @@ GridWindow window_of(const HeightGrid& whole, const TileCounts& tiles, std::uint
   return window;
 }
 
-bool has_data(const HeightGrid& grid) {
-  return std::ranges::any_of(grid.heights, [](float h) { return !std::isnan(h); });
-}
-
 std::vector<bool> on_boundary(const Mesh& mesh) {
   std::vector<bool> result(mesh.vertex_count(), false);
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -146,11 +142,11 @@ class Tiles {
     const auto start = std::chrono::steady_clock::now();
     GridPart part = read_grid_part(command_.input, whole_, window, command_.grid_options());
     report_.seconds.read += seconds_since(start);
-    if (!has_data(part.grid)) return done;
+    if (!part.grid.has_any_data()) return done;
     job_.border_corners = border_corners(part);
     leave_to_neighbours(part);
     const HeightGrid& grid = part.grid;
-    if (!has_data(grid)) return done;
+    if (!grid.has_any_data()) return done;
     MadeTerrain made = make_terrain(grid, {whole_, window.column, window.row}, job_);
     made.finest.figures.name = "tile " + std::to_string(row) + " " + std::to_string(column);
     add_to(report_, made.report);

@@ -2,21 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace lepp {
 
 namespace {
 
-double largest_height(const HeightGrid& grid) {
-  float largest = 0;
-  for (const float h : grid.heights) largest = std::abs(h) > largest ? std::abs(h) : largest;
-  return largest;
+double farthest_from_zero(const HeightGrid& grid) {
+  return grid.heights.visit([]<class Height>(std::span<const Height> heights) {
+    Height largest = 0;
+    for (const Height h : heights) largest = std::abs(h) > largest ? std::abs(h) : largest;
+    return double(largest);
+  });
 }
 
 }  // namespace
 
 Levels::Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report)
-    : grid_(grid), options_(options), report_(report), rounding_(0x1p-44 * largest_height(grid)) {}
+    : grid_(grid),
+      options_(options),
+      report_(report),
+      rounding_(0x1p-44 * farthest_from_zero(grid)) {}
 
 double Levels::error() const {
   const auto& errors = options_.level_errors;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "lepp/terrain/simplify.hpp"
@@ -38,9 +39,11 @@ struct Vertex {
 
 // One triangle after the other, one row of samples after the other. Shares nothing with the
 // simplification but the grid, so that a mistake there cannot hide here.
+template <class Height>
 class Measure {
  public:
-  Measure(const HeightGrid& grid, const Tin& tin) : grid_(grid), seen_(grid.size()) {
+  Measure(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin)
+      : grid_(grid), heights_(heights), seen_(grid.size()) {
     error_.highest = -std::numeric_limits<double>::infinity();
     error_.lowest = std::numeric_limits<double>::infinity();
     for (const Triangle& t : tin.mesh.triangles()) {
@@ -116,13 +119,13 @@ class Measure {
 
   static double height_at_column(const std::array<Vertex, 3>& v, double twice_area, double x,
                                  double y) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    double sum = 0;  // above the first corner: what is rounded is as small as that
+    for (std::size_t i = 1; i < 3; ++i) {
       const Vertex& a = v[(i + 1) % 3];
       const Vertex& b = v[(i + 2) % 3];
-      sum += ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) * v[i].z;
+      sum += ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) * (v[i].z - v[0].z);
     }
-    return sum / twice_area;
+    return v[0].z + sum / twice_area;
   }
 
   // Samples on sides may have been seen from the triangle across: they count once.
@@ -146,7 +149,7 @@ class Measure {
   void add_on_side(std::uint32_t column, std::uint32_t row) {
     const std::size_t i = grid_.index(column, row);
     const double height = height_ + slope_ * (std::clamp<double>(column, left_, right_) - left_);
-    const double off = static_cast<double>(grid_.heights[i]) - height;
+    const double off = heights_[i] - height;
     if (!std::isnan(off)) {
       if (!seen_.contains(i)) sum_of_squares_ += off * off;
       note(off, column, row);
@@ -156,7 +159,7 @@ class Measure {
 
   void add_inside(std::uint32_t from, std::uint32_t to, std::uint32_t row) {
     constexpr std::size_t lanes = 4;
-    const float* heights = &grid_.heights[grid_.index(from, row)];
+    const Height* const heights = &heights_[grid_.index(from, row)];
     const double start = height_ + slope_ * (from - left_);
     const std::size_t n = to - from;
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -201,7 +204,7 @@ class Measure {
 
   void count_samples() {
     for (std::size_t i = 0; i < grid_.size(); ++i) {
-      const bool seen = seen_.contains(i), data = !std::isnan(grid_.heights[i]);
+      const bool seen = seen_.contains(i), data = !std::isnan(heights_[i]);
       error_.samples += seen && data ? 1 : 0;
       error_.lost += !seen && data ? 1 : 0;
       error_.covered += seen && !data ? 1 : 0;
@@ -209,6 +212,7 @@ class Measure {
   }
 
   const HeightGrid& grid_;
+  std::span<const Height> heights_;
   SampleSet seen_;
   TerrainError error_;
   double sum_of_squares_ = 0;
@@ -219,7 +223,7 @@ class Measure {
 }  // namespace
 
 TerrainError measure_error(const HeightGrid& grid, const Tin& tin) {
-  return Measure(grid, tin).result();
+  return grid.heights.visit([&](auto heights) { return Measure(grid, heights, tin).result(); });
 }
 
 }  // namespace lepp

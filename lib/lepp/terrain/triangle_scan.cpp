@@ -11,8 +11,8 @@ namespace {
 constexpr double many_lines = 64;
 constexpr std::int64_t lines_between = 8;
 
-double error_at(float height, double start, double slope, double i) {
-  return std::abs(static_cast<double>(height) - (start + slope * i));
+double error_at(double height, double start, double slope, double i) {
+  return std::abs(height - (start + slope * i));
 }
 
 // Two doubles at a time, as every machine of today does; compilers do not see that for themselves,
@@ -21,16 +21,27 @@ using Pair = double __attribute__((vector_size(16)));
 using FloatPair = float __attribute__((vector_size(8)));
 using Bits = std::int64_t __attribute__((vector_size(16)));
 
-Pair larger_error(Pair largest, const float* heights, Pair start, Pair slope, Pair at) {
+Pair pair_at(const float* heights) {
   FloatPair pair;
   std::memcpy(&pair, heights, sizeof pair);
-  const Pair off = __builtin_convertvector(pair, Pair) - (start + slope * at);
+  return __builtin_convertvector(pair, Pair);
+}
+Pair pair_at(const double* heights) {
+  Pair pair;
+  std::memcpy(&pair, heights, sizeof pair);
+  return pair;
+}
+
+template <class Height>
+Pair larger_error(Pair largest, const Height* heights, Pair start, Pair slope, Pair at) {
+  const Pair off = pair_at(heights) - (start + slope * at);
   const Pair error = reinterpret_cast<Pair>(reinterpret_cast<Bits>(off) & INT64_MAX);
   return error > largest ? error : largest;  // false for NaN
 }
 
 // The largest error of n samples, 0 if none has data.
-double largest_of(const float* heights, std::size_t n, double start, double slope) {
+template <class Height>
+double largest_of(const Height* heights, std::size_t n, double start, double slope) {
   constexpr std::size_t lanes = 4;
   double largest = 0;
   std::size_t i = 0;
@@ -65,33 +76,51 @@ bool is_corner(const std::array<TerrainCorner, 3>& corners, Sample s) {
          SampleSpace::is_at(corners[2], s);
 }
 
-}  // namespace
-
-double TriangleScan::largest_error(const ScanSpan& span) const {
-  return largest_of(heights(span), span.last - span.first + 1, span.height, span.slope);
+template <class Height>
+double largest_error(const Height* heights, const ScanSpan& span) {
+  return largest_of(heights, span.last - span.first + 1, span.height, span.slope);
 }
 
+// True if a sample that is no corner is off by more than `limit`.
+template <class Height>
+bool has_other(const Height* heights, const ScanSpan& span,
+               const std::array<TerrainCorner, 3>& corners, double limit) {
+  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+    if (error_at(heights[i], span.height, span.slope, i) > limit &&
+        !is_corner(corners, {span.first + i, span.line})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 WorstSample TriangleScan::worst(const std::array<TerrainCorner, 3>& corners) const {
-  return worst_of_lines(corners, 1);
+  return grid_.heights.visit([&](auto heights) { return worst_of_lines(heights, corners, 1); });
 }
 
 WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners,
                                        double enough) const {
   const auto [low, high] = std::minmax({corners[0].line, corners[1].line, corners[2].line});
   if (high - low >= many_lines) {
-    const WorstSample some = worst_of_lines(corners, lines_between);
+    const WorstSample some = grid_.heights.visit(
+        [&](auto heights) { return worst_of_lines(heights, corners, lines_between); });
     if (some.error > enough) return some;
   }
-  return worst_of_lines(corners, 1);
+  return worst(corners);
 }
 
-WorstSample TriangleScan::worst_of_lines(const std::array<TerrainCorner, 3>& corners,
+template <class Height>
+WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
+                                         const std::array<TerrainCorner, 3>& corners,
                                          std::int64_t step) const {
   WorstSample worst;
   const auto note = [&](const ScanSpan& span) {
-    if (is_long(span) && !(largest_error(span) > worst.error)) return true;
+    const Height* const along = part(heights, span);
+    if (is_long(span) && !(largest_error(along, span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-      const double error = error_at(heights(span)[i], span.height, span.slope, i);
+      const double error = error_at(along[i], span.height, span.slope, i);
       if (error > worst.error && !is_corner(corners, {span.first + i, span.line})) {
         worst = {error, {span.first + i, span.line}};
       }
@@ -103,10 +132,17 @@ WorstSample TriangleScan::worst_of_lines(const std::array<TerrainCorner, 3>& cor
 }
 
 bool TriangleScan::is_within(const std::array<TerrainCorner, 3>& corners, double limit) const {
+  return grid_.heights.visit([&](auto heights) { return all_within(heights, corners, limit); });
+}
+
+template <class Height>
+bool TriangleScan::all_within(std::span<const Height> heights,
+                              const std::array<TerrainCorner, 3>& corners, double limit) const {
   bool within = true;
   spans_(corners, [&](const ScanSpan& span) {
-    const bool suspect = !is_long(span) || largest_error(span) > limit;
-    within = !suspect || !has_other(span, corners, limit);
+    const Height* const along = part(heights, span);
+    const bool suspect = !is_long(span) || largest_error(along, span) > limit;
+    within = !suspect || !has_other(along, span, corners, limit);
     return within;
   });
   return within;
@@ -125,18 +161,6 @@ bool TriangleScan::is_within_at(const std::array<TerrainCorner, 3>& corners, con
   const double height =
       (at_a * a.height + at_b * b.height + at_c * c.height) / (at_a + at_b + at_c);
   return !(std::abs(s.height - height) > limit);
-}
-
-// True if a sample that is no corner is off by more than `limit`.
-bool TriangleScan::has_other(const ScanSpan& span, const std::array<TerrainCorner, 3>& corners,
-                             double limit) const {
-  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-    if (error_at(heights(span)[i], span.height, span.slope, i) > limit &&
-        !is_corner(corners, {span.first + i, span.line})) {
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace lepp
