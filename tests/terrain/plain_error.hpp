@@ -35,7 +35,7 @@ inline PlainError plain_error(const HeightGrid& grid, const Tin& tin) {
                           cross(b - a, p - a) * height(2)) /
                          whole;
         if (grid.has_data(column, row)) {
-          largest = std::max(largest, std::abs(double(grid.height(column, row)) - z));
+          largest = std::max(largest, std::abs(grid.height(column, row) - z));
         }
         found = true;
       }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "lepp/io/raster_layout.hpp"
 
@@ -36,9 +36,9 @@ void convert_samples(const RasterLayout& layout, const NodataRange& nodata,
 
 /// A whole number as a height, infinite if doubles of its size are not all the whole numbers there.
 double height_of_integer(std::integral auto value) {
-  constexpr double exact = 0x1p53;
-  const auto height = static_cast<double>(value);
-  return std::abs(height) <= exact ? height : std::numeric_limits<double>::infinity();
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  const bool is_exact = std::cmp_less_equal(-most, value) && std::cmp_less_equal(value, most);
+  return is_exact ? static_cast<double>(value) : std::numeric_limits<double>::infinity();
 }
 
 /// The index of the first height that is infinite or too large, if there is one.
