@@ -216,7 +216,7 @@ class Run {
     const double largest = std::max(std::abs(report_lowest()), std::abs(report_highest()));
     const double in_world =
         job_.nonobtuse ? rounding_in_world * (report_highest() - report_lowest()) : 0;
-    return error.max <= asked * (1 + 1e-9) + 1e-12 * largest + in_world;
+    return error.max <= kept_error(asked, largest) + in_world;
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }

@@ -22,7 +22,7 @@ Levels::Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyR
     : grid_(grid),
       options_(options),
       report_(report),
-      rounding_(0x1p-44 * farthest_from_zero(grid)) {}
+      largest_(farthest_from_zero(grid)) {}
 
 double Levels::error() const {
   const auto& errors = options_.level_errors;

@@ -12,10 +12,12 @@ class Levels {
  public:
   Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report);
 
-  /// The error at which the level in hand ends, and the whole run. A trifle above what was asked
-  /// for: two ways of interpolating differ by as much.
+  /// The error at which the level in hand ends, and the whole run: interpolation_rounding()
+  /// above what was asked for.
   double error() const;
   double last_error() const { return raised(options_.max_error); }
+  /// True if a TIN with this error is what the run was asked for.
+  bool is_kept(double error) const { return error <= kept_error(options_.max_error, largest_); }
   /// The number of vertices at which the level in hand ends.
   std::size_t vertices() const;
 
@@ -35,13 +37,15 @@ class Levels {
   }
 
  private:
-  double raised(double error) const { return error * (1 + 1e-12) + rounding_; }
+  double raised(double error) const {
+    return error * (1 + 1e-12) + interpolation_rounding(largest_);
+  }
   void note(const Tin& tin);
 
   const HeightGrid& grid_;
   const SimplifyOptions& options_;
   SimplifyReport& report_;
-  double rounding_;
+  double largest_;  // of all |heights|
   std::size_t next_error_ = 0, next_count_ = 0;
   std::size_t turns_ = 0;
   bool cancelled_ = false;

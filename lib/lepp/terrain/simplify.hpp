@@ -57,6 +57,18 @@ struct SimplifyOptions {
   std::function<bool(std::size_t vertices)> progress = {};
 };
 
+/// Two ways of interpolating heights differ by less than this, in practice. A run works until errors
+/// are at most that much above what was asked for, and is content with four times it.
+/// \param largest  of all |heights|
+inline double interpolation_rounding(double largest) {
+  return 0x1p-50 * largest + 0x1p-1060;  // the second part is for heights that are denormal
+}
+
+/// What an error is held to where `error` was asked for.
+inline double kept_error(double error, double largest) {
+  return error * (1 + 1e-9) + 4 * interpolation_rounding(largest);
+}
+
 /// How far a TIN is from its grid, over all samples with data, those on the rim included.
 struct TerrainError {
   double max = 0;                     ///< largest |H - H*|
