@@ -42,7 +42,7 @@ Tin shifted(Tin tin, const HeightGrid& window, const GridPlace& place) {
 class Run {
  public:
   Run(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job)
-      : grid_(grid), place_(place), job_(job) {}
+      : grid_(grid), place_(place), job_(job), rounding_(interpolation_rounding(grid)) {}
 
   MadeTerrain operator()() {
     describe(grid_, made_.report);
@@ -211,12 +211,10 @@ class Run {
     check_coverage(r.whole.error);
   }
 
-  // Two ways of interpolating differ by a trifle.
   bool is_kept(const TerrainError& error, double asked) const {
-    const double largest = std::max(std::abs(report_lowest()), std::abs(report_highest()));
     const double in_world =
         job_.nonobtuse ? rounding_in_world * (report_highest() - report_lowest()) : 0;
-    return error.max <= kept_error(asked, largest) + in_world;
+    return error.max <= kept_error(asked, rounding_) + in_world;
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }
@@ -236,6 +234,7 @@ class Run {
   const HeightGrid& grid_;
   const GridPlace& place_;
   const TerrainJob& job_;
+  const double rounding_;
   TerrainDomain domain_;
   SimplifyReport simplified_;
   std::optional<Mesh> in_world_;  // of --nonobtuse: as it was refined there

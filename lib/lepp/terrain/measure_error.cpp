@@ -110,6 +110,7 @@ class Measure {
     const double first = std::max(0.0, std::ceil(left - on_side));
     const double last = std::min<double>(std::floor(right + on_side), grid_.columns - 1);
     if (first > last) return;
+    base_ = v[0].z;
     height_ = height_at_column(v, twice_area, left, y);
     left_ = left;
     right_ = right;
@@ -119,13 +120,13 @@ class Measure {
 
   static double height_at_column(const std::array<Vertex, 3>& v, double twice_area, double x,
                                  double y) {
-    double sum = 0;  // above the first corner: what is rounded is as small as that
+    double sum = 0;
     for (std::size_t i = 1; i < 3; ++i) {
       const Vertex& a = v[(i + 1) % 3];
       const Vertex& b = v[(i + 2) % 3];
       sum += ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) * (v[i].z - v[0].z);
     }
-    return v[0].z + sum / twice_area;
+    return sum / twice_area;
   }
 
   // Samples on sides may have been seen from the triangle across: they count once.
@@ -149,7 +150,7 @@ class Measure {
   void add_on_side(std::uint32_t column, std::uint32_t row) {
     const std::size_t i = grid_.index(column, row);
     const double height = height_ + slope_ * (std::clamp<double>(column, left_, right_) - left_);
-    const double off = heights_[i] - height;
+    const double off = (heights_[i] - base_) - height;
     if (!std::isnan(off)) {
       if (!seen_.contains(i)) sum_of_squares_ += off * off;
       note(off, column, row);
@@ -168,7 +169,7 @@ class Measure {
     double squares[lanes] = {};
     double at[lanes] = {0, 1, 2, 3};
     const auto take = [&](std::size_t i, std::size_t k, double x) {
-      const double off = static_cast<double>(heights[i]) - (start + slope_ * x);
+      const double off = (heights[i] - base_) - (start + slope_ * x);
       high[k] = off > high[k] ? off : high[k];  // false for NaN
       low[k] = off < low[k] ? off : low[k];
       squares[k] += off == off ? off * off : 0;
@@ -186,8 +187,7 @@ class Measure {
     const double lowest = *std::min_element(low, low + lanes);
     if (!(highest > error_.highest || lowest < error_.lowest)) return;
     for (std::size_t k = 0; k < n; ++k) {
-      const double off =
-          static_cast<double>(heights[k]) - (start + slope_ * static_cast<double>(k));
+      const double off = (heights[k] - base_) - (start + slope_ * static_cast<double>(k));
       if (!std::isnan(off)) note(off, from + static_cast<std::uint32_t>(k), row);
     }
   }
@@ -217,7 +217,8 @@ class Measure {
   TerrainError error_;
   double sum_of_squares_ = 0;
   // Of the row in hand: where it enters and leaves the triangle, how high it enters, and how steep.
-  double left_ = 0, right_ = 0, height_ = 0, slope_ = 0;
+  // Heights are those above the first corner: then little is rounded where all are far from 0.
+  double left_ = 0, right_ = 0, base_ = 0, height_ = 0, slope_ = 0;
 };
 
 }  // namespace

@@ -74,7 +74,7 @@ class Work {
        const NonobtuseTinOptions& options)
       : grid_(grid), options_(options), frame_(grid), tin_(std::move(tin)) {
     const auto [low, high] = std::ranges::minmax(tin_.heights);
-    most_error_ = kept_error(options.max_error, std::max(-low, high)) +
+    most_error_ = kept_error(options.max_error, interpolation_rounding(grid)) +
                   rounding_in_world * (high - low);
     for (std::size_t i = 0; i < domain.fixed_heights.size(); ++i) {
       const double height = domain.fixed_heights[i];
@@ -147,9 +147,7 @@ class Work {
 
   // Of the very triangles that the result has: where four corners are on a circle but for rounding,
   // those in grid space could be others.
-  bool is_error_kept() const {
-    return measure_error(grid_, tin_).max <= most_error_;
-  }
+  bool is_error_kept() const { return measure_error(grid_, tin_).max <= most_error_; }
 
   // True if there was a sample to insert.
   bool insert_samples() {

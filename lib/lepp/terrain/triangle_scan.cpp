@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 namespace lepp {
 
@@ -21,43 +22,56 @@ using Pair = double __attribute__((vector_size(16)));
 using FloatPair = float __attribute__((vector_size(8)));
 using Bits = std::int64_t __attribute__((vector_size(16)));
 
-Pair pair_at(const float* heights) {
+// Doubles are compared above a corner: far from 0 their differences are exact, or nearly so, where
+// sums are not. To floats, which end 29 bits earlier, that makes no difference.
+template <class Height>
+double base_of(const std::array<TerrainCorner, 3>& corners) {
+  return std::is_same_v<Height, double> ? corners[0].height : 0;
+}
+std::array<TerrainCorner, 3> above(double base, std::array<TerrainCorner, 3> corners) {
+  for (TerrainCorner& c : corners) c.height -= base;
+  return corners;
+}
+double above(double /*0*/, float height) { return height; }
+double above(double base, double height) { return height - base; }
+
+Pair pair_above(Pair /*0*/, const float* heights) {
   FloatPair pair;
   std::memcpy(&pair, heights, sizeof pair);
   return __builtin_convertvector(pair, Pair);
 }
-Pair pair_at(const double* heights) {
+Pair pair_above(Pair base, const double* heights) {
   Pair pair;
   std::memcpy(&pair, heights, sizeof pair);
-  return pair;
+  return pair - base;
 }
 
 template <class Height>
-Pair larger_error(Pair largest, const Height* heights, Pair start, Pair slope, Pair at) {
-  const Pair off = pair_at(heights) - (start + slope * at);
+Pair larger_error(Pair largest, const Height* heights, Pair base, Pair start, Pair slope, Pair at) {
+  const Pair off = pair_above(base, heights) - (start + slope * at);
   const Pair error = reinterpret_cast<Pair>(reinterpret_cast<Bits>(off) & INT64_MAX);
   return error > largest ? error : largest;  // false for NaN
 }
 
 // The largest error of n samples, 0 if none has data.
 template <class Height>
-double largest_of(const Height* heights, std::size_t n, double start, double slope) {
+double largest_of(const Height* heights, std::size_t n, double base, double start, double slope) {
   constexpr std::size_t lanes = 4;
   double largest = 0;
   std::size_t i = 0;
   if (n >= 2 * lanes) {
-    const Pair starts{start, start}, slopes{slope, slope}, step{lanes, lanes};
+    const Pair bases{base, base}, starts{start, start}, slopes{slope, slope}, step{lanes, lanes};
     Pair low{0, 0}, high{0, 0}, at_low{0, 1}, at_high{2, 3};
     for (; i + lanes <= n; i += lanes) {
-      low = larger_error(low, heights + i, starts, slopes, at_low);
-      high = larger_error(high, heights + i + 2, starts, slopes, at_high);
+      low = larger_error(low, heights + i, bases, starts, slopes, at_low);
+      high = larger_error(high, heights + i + 2, bases, starts, slopes, at_high);
       at_low += step;
       at_high += step;
     }
     largest = std::max(std::max(low[0], low[1]), std::max(high[0], high[1]));
   }
   for (; i < n; ++i) {
-    const double error = error_at(heights[i], start, slope, static_cast<double>(i));
+    const double error = error_at(above(base, heights[i]), start, slope, static_cast<double>(i));
     largest = error > largest ? error : largest;
   }
   return largest;
@@ -77,16 +91,16 @@ bool is_corner(const std::array<TerrainCorner, 3>& corners, Sample s) {
 }
 
 template <class Height>
-double largest_error(const Height* heights, const ScanSpan& span) {
-  return largest_of(heights, span.last - span.first + 1, span.height, span.slope);
+double largest_error(const Height* heights, double base, const ScanSpan& span) {
+  return largest_of(heights, span.last - span.first + 1, base, span.height, span.slope);
 }
 
 // True if a sample that is no corner is off by more than `limit`.
 template <class Height>
-bool has_other(const Height* heights, const ScanSpan& span,
+bool has_other(const Height* heights, double base, const ScanSpan& span,
                const std::array<TerrainCorner, 3>& corners, double limit) {
   for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-    if (error_at(heights[i], span.height, span.slope, i) > limit &&
+    if (error_at(above(base, heights[i]), span.height, span.slope, i) > limit &&
         !is_corner(corners, {span.first + i, span.line})) {
       return true;
     }
@@ -116,18 +130,19 @@ WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
                                          const std::array<TerrainCorner, 3>& corners,
                                          std::int64_t step) const {
   WorstSample worst;
+  const double base = base_of<Height>(corners);
   const auto note = [&](const ScanSpan& span) {
     const Height* const along = part(heights, span);
-    if (is_long(span) && !(largest_error(along, span) > worst.error)) return true;
+    if (is_long(span) && !(largest_error(along, base, span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-      const double error = error_at(along[i], span.height, span.slope, i);
+      const double error = error_at(above(base, along[i]), span.height, span.slope, i);
       if (error > worst.error && !is_corner(corners, {span.first + i, span.line})) {
         worst = {error, {span.first + i, span.line}};
       }
     }
     return true;
   };
-  spans_(corners, note, step);
+  spans_(above(base, corners), note, step);
   return worst;
 }
 
@@ -139,10 +154,11 @@ template <class Height>
 bool TriangleScan::all_within(std::span<const Height> heights,
                               const std::array<TerrainCorner, 3>& corners, double limit) const {
   bool within = true;
-  spans_(corners, [&](const ScanSpan& span) {
+  const double base = base_of<Height>(corners);
+  spans_(above(base, corners), [&](const ScanSpan& span) {
     const Height* const along = part(heights, span);
-    const bool suspect = !is_long(span) || largest_error(along, span) > limit;
-    within = !suspect || !has_other(along, span, corners, limit);
+    const bool suspect = !is_long(span) || largest_error(along, base, span) > limit;
+    within = !suspect || !has_other(along, base, span, corners, limit);
     return within;
   });
   return within;
