@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "interrupt.hpp"
@@ -38,7 +39,7 @@ Tin shifted(Tin tin, const Point shift) {
 class Run {
  public:
   Run(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job)
-      : grid_(grid), place_(place), job_(job) {}
+      : grid_(grid), place_(place), job_(job), rounding_(interpolation_rounding(grid)) {}
 
   MadeTerrain operator()() {
     describe(grid_, made_.report);
@@ -63,34 +64,9 @@ class Run {
  private:
   TerrainReport& report() { return made_.report; }
 
-  // Heights are kept as floats. Where the file has more digits, what that takes away counts, unless
-  // it is a millionth of their range or less.
-  double rounding() const {
-    constexpr double negligible = 1e-6;
-    const double range = report_highest() - report_lowest();
-    return grid_.rounding > negligible * range ? grid_.rounding : 0;
-  }
-
-  void allow_for_rounding(SimplifyOptions& options) {
-    const double rounding = this->rounding();
-    if (rounding == 0) return;
-    report().warnings.push_back("heights are kept as floats, which changes them by up to " +
-                                lepp::to_text(rounding) + "; the error kept allows for that");
-    if (!job_.claims_error) return;
-    if (options.max_error < rounding) {
-      throw InputError(grid_.source,
-                       "has heights of more digits than floats hold: they would change by up to " +
-                           lepp::to_text(rounding) + ", more than the error asked for",
-                       "ask for a larger error, or subtract a common height from all");
-    }
-    options.max_error -= rounding;
-    for (double& error : options.level_errors) error -= rounding;
-  }
-
   void simplify_grid() {
     Progress progress;
     SimplifyOptions options = job_.simplify;
-    allow_for_rounding(options);
     options.progress = [&](std::size_t vertices) { return progress(vertices); };
     options.on_level = [&](const Tin& tin, const TerrainLevel&) {
       made_.coarser.emplace_back().tin = tin;
@@ -125,7 +101,7 @@ class Run {
   void make_admissible() {
     Progress progress;
     NonobtuseTinOptions options;
-    options.max_error = job_.simplify.max_error - rounding();
+    options.max_error = job_.simplify.max_error;
     options.keep_error = job_.claims_error;
     options.min_angle_deg = job_.simplify.min_angle_deg;
     options.progress = [&](std::size_t vertices) { return progress(vertices); };
@@ -248,12 +224,10 @@ class Run {
     check_coverage(r.whole.error);
   }
 
-  // Two ways of interpolating differ by a trifle.
   bool is_kept(const TerrainError& error, double asked) const {
-    const double largest = std::max(std::abs(report_lowest()), std::abs(report_highest()));
     const double in_world =
         job_.nonobtuse ? rounding_in_world * (report_highest() - report_lowest()) : 0;
-    return error.max <= asked * (1 + 1e-9) + 1e-12 * largest + in_world;
+    return error.max <= kept_error(asked, rounding_) + in_world;
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }
@@ -273,6 +247,7 @@ class Run {
   const HeightGrid& grid_;
   const GridPlace& place_;
   const TerrainJob& job_;
+  const double rounding_;
   TerrainDomain domain_;
   SimplifyReport simplified_;
   std::optional<Mesh> in_world_;  // of --nonobtuse: as it was refined there
@@ -296,16 +271,18 @@ void describe(const HeightGrid& grid, TerrainReport& report) {
   report.columns = grid.columns;
   report.rows = grid.rows;
   report.valid = true;
-  float low = INFINITY, high = -INFINITY;
-  for (const float h : grid.heights) {
-    if (std::isnan(h)) continue;
-    ++report.samples;
-    low = std::min(low, h);
-    high = std::max(high, h);
-  }
-  if (report.samples == 0) return;
-  report.lowest = low;
-  report.highest = high;
+  grid.heights.visit([&]<class Height>(std::span<const Height> heights) {
+    Height low = INFINITY, high = -INFINITY;
+    for (const Height h : heights) {
+      if (std::isnan(h)) continue;
+      ++report.samples;
+      low = std::min(low, h);
+      high = std::max(high, h);
+    }
+    if (report.samples == 0) return;
+    report.lowest = low;
+    report.highest = high;
+  });
 }
 
 }  // namespace lepp::cli

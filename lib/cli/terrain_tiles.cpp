@@ -36,10 +36,6 @@ GridWindow tile_window(const GridWindow& region, const TileCounts& tiles, std::u
           begin_of(row + 1, tiles.rows, region.rows) - north + 1};
 }
 
-bool has_data(const HeightGrid& grid) {
-  return std::ranges::any_of(grid.heights, [](float h) { return !std::isnan(h); });
-}
-
 // What an error says, in one line.
 std::string one_line(const std::exception& error) {
   const auto* const ours = dynamic_cast<const Error*>(&error);
@@ -159,7 +155,7 @@ class Tiles {
     report_.seconds.read += seconds_since(start);
     job_.border_corners = border_corners(part);
     leave_to_neighbours(part);
-    if (!has_data(part.grid)) return done;
+    if (!part.grid.has_any_data()) return done;
     const GridPlace place{whole_, window.column, window.row};
     MadeTerrain made = make_terrain(part.grid, place, job_);
     if (interrupted()) return failed(figures, "cancelled", refused);

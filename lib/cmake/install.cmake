@@ -48,6 +48,7 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/vertices_made.hpp
   lepp/terrain/grid_part.hpp
   lepp/terrain/height_grid.hpp
+  lepp/terrain/heights.hpp
   lepp/terrain/nonobtuse_tin.hpp
   lepp/terrain/simplify.hpp
   lepp/terrain/surface_report.hpp

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,26 @@ std::vector<std::string> files_of(GDALDataset& dataset) {
   return files;
 }
 
+// What a band's values have to be multiplied with, and then raised by.
+struct Scaling {
+  double scale = 1, offset = 0;
+  bool is_none() const { return scale == 1 && offset == 0; }
+};
+
+Scaling scaling_of(GDALRasterBand& band) {
+  Scaling scaling;
+  int has = 0;
+  if (const double scale = band.GetScale(&has); has != 0) scaling.scale = scale;
+  if (const double offset = band.GetOffset(&has); has != 0) scaling.offset = offset;
+  return scaling;
+}
+
+// True if each height is a float whatever the values are.
+bool gives_floats(GDALRasterBand& band) {
+  const GDALDataType type = band.GetRasterDataType();
+  return scaling_of(band).is_none() && (GDALGetDataTypeSizeBytes(type) <= 2 || type == GDT_Float32);
+}
+
 GdalRaster header_of(GDALDataset& dataset) {
   GdalRaster raster;
   raster.columns = static_cast<std::uint32_t>(dataset.GetRasterXSize());
@@ -95,17 +116,36 @@ GdalRaster header_of(GDALDataset& dataset) {
   if (GDALDataTypeIsComplex(dataset.GetRasterBand(1)->GetRasterDataType()))
     throw GdalFailure{ErrorKind::input, "", "its values are complex numbers",
                       "give a raster of heights"};
+  raster.doubles = !gives_floats(*dataset.GetRasterBand(1));
   return raster;
 }
 
-// Band 1 as floats, block after block.
+// The value that the band itself declares.
+std::optional<double> declared_nodata(GDALRasterBand& band) {
+  int has = 0;
+  double value = 0;
+  switch (band.GetRasterDataType()) {
+    case GDT_Int64:
+      value = static_cast<double>(band.GetNoDataValueAsInt64(&has));
+      break;
+    case GDT_UInt64:
+      value = static_cast<double>(band.GetNoDataValueAsUInt64(&has));
+      break;
+    default:
+      value = band.GetNoDataValue(&has);
+  }
+  return has != 0 ? std::optional(value) : std::nullopt;
+}
+
+// Band 1, block after block, as floats or doubles.
+template <class Height>
 class HeightSender {
  public:
   HeightSender(GDALDataset& dataset, const GridWindow& window, std::optional<double> nodata)
-      : band_(*dataset.GetRasterBand(1)), window_(window), nodata_(declared(nodata)) {
-    int has = 0;
-    if (const double scale = band_.GetScale(&has); has != 0) scale_ = scale;
-    if (const double offset = band_.GetOffset(&has); has != 0) offset_ = offset;
+      : band_(*dataset.GetRasterBand(1)),
+        window_(window),
+        nodata_(nodata ? nodata : declared_nodata(band_)),
+        scaling_(scaling_of(band_)) {
     masked_ =
         (band_.GetMaskFlags() & (GMF_PER_DATASET | GMF_NODATA | GMF_ALL_VALID)) == GMF_PER_DATASET;
   }
@@ -117,20 +157,12 @@ class HeightSender {
     } catch (const GdalFailure& failure) {
       end.failure = failure;
     }
-    end.rounding = rounding_;
     const std::uint32_t no_more = 0;
     send(std::as_bytes(std::span(&no_more, 1)));
     send(encode(end));
   }
 
  private:
-  std::optional<double> declared(std::optional<double> given) {
-    int has = 0;
-    const double value = band_.GetNoDataValue(&has);
-    if (given) return given;
-    return has != 0 ? std::optional(value) : std::nullopt;
-  }
-
   // Whole blocks of the file, so that none is read twice.
   std::uint32_t rows_at_once() const {
     int width = 0, height = 0;
@@ -156,46 +188,55 @@ class HeightSender {
 
   void read(std::uint32_t row, std::uint32_t rows) {
     heights_.resize(std::size_t{rows} * window_.columns);
-    const GDALDataType type = band_.GetRasterDataType();
-    const bool plain =
-        scale_ == 1 && offset_ == 0 &&
-        (type == GDT_Byte || type == GDT_Int16 || type == GDT_UInt16 || type == GDT_Float32);
-    if (plain) {
-      transfer(band_, row, rows, heights_.data(), GDT_Float32);
-      for (float& h : heights_) {
-        if (nodata_.has(h)) h = no_data;
-      }
-    } else {
-      wide_.resize(heights_.size());
-      transfer(band_, row, rows, wide_.data(), GDT_Float64);
-      for (std::size_t i = 0; i < wide_.size(); ++i) heights_[i] = converted(wide_[i], type);
+    switch (band_.GetRasterDataType()) {
+      case GDT_Float32:
+        read_as<float>(row, rows, GDT_Float32);
+        break;
+      case GDT_Int64:
+        read_as<std::int64_t>(row, rows, GDT_Int64);
+        break;
+      case GDT_UInt64:
+        read_as<std::uint64_t>(row, rows, GDT_UInt64);
+        break;
+      default:
+        read_as<Height>(row, rows, sizeof(Height) == 4 ? GDT_Float32 : GDT_Float64);
     }
     if (masked_) apply_mask(row, rows);
-    if (const auto i = first_infinite(heights_)) {
+    if (const auto i = first_unusable(std::span<const Height>(heights_))) {
       throw GdalFailure{ErrorKind::input,
                         "column " + std::to_string(window_.column + *i % window_.columns) +
                             ", row " + std::to_string(window_.row + row + *i / window_.columns),
-                        "the height is infinite, or too large for a float",
-                        "correct it, or name it as the value of no data"};
+                        unusable_height, unusable_height_remedy};
     }
   }
 
-  float converted(double value, GDALDataType type) {
-    const bool integral = type != GDT_Float32 && type != GDT_Float64;
-    const bool none =
-        integral ? value == nodata_.exact : value == nodata_.exact || nodata_.has(to_float(value));
-    if (none || std::isnan(value)) return no_data;
-    const double height = value * scale_ + offset_;
-    const float result = to_float(height);
-    if (std::isfinite(result)) rounding_ = std::max(rounding_, std::abs(height - double(result)));
-    return result;
+  // Values of the band, or at least in a type that holds each of them: no data is compared there.
+  template <class Value>
+  void read_as(std::uint32_t row, std::uint32_t rows, GDALDataType type) {
+    if constexpr (std::is_same_v<Value, Height>) {
+      transfer(band_, row, rows, heights_.data(), type);
+      for (Height& h : heights_) h = height_of(h);
+    } else if constexpr (sizeof(Value) <= sizeof(Height)) {
+      std::vector<Value> values(heights_.size());
+      transfer(band_, row, rows, values.data(), type);
+      std::ranges::transform(values, heights_.begin(), [&](Value v) { return height_of(v); });
+    }
   }
+
+  template <class Value>
+  Height height_of(Value value) const {
+    if (nodata_.has(value)) return std::numeric_limits<Height>::quiet_NaN();
+    if constexpr (std::is_same_v<Height, float>) return value;
+    else if constexpr (std::is_integral_v<Value>) return scaled(height_of_integer(value));
+    else return scaled(value);
+  }
+  double scaled(double value) const { return value * scaling_.scale + scaling_.offset; }
 
   void apply_mask(std::uint32_t row, std::uint32_t rows) {
     mask_.resize(heights_.size());
     transfer(*band_.GetMaskBand(), row, rows, mask_.data(), GDT_Byte);
     for (std::size_t i = 0; i < mask_.size(); ++i) {
-      if (mask_[i] == 0) heights_[i] = no_data;
+      if (mask_[i] == 0) heights_[i] = std::numeric_limits<Height>::quiet_NaN();
     }
   }
 
@@ -211,16 +252,12 @@ class HeightSender {
                       said("they cannot be read"), "the file is damaged: get it again"};
   }
 
-  static constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
-
   GDALRasterBand& band_;
   const GridWindow window_;
   const NodataRange nodata_;
-  double scale_ = 1, offset_ = 0;
+  const Scaling scaling_;
   bool masked_ = false;
-  double rounding_ = 0;
-  std::vector<float> heights_;
-  std::vector<double> wide_;
+  std::vector<Height> heights_;
   std::vector<unsigned char> mask_;
 };
 
@@ -243,7 +280,9 @@ void send_raster(const RasterTask& task) {
   send(encode(raster));
   if (raster.failure || task.header_only) return;
   const GridWindow whole{0, 0, raster.columns, raster.rows};
-  HeightSender(*dataset, task.window.value_or(whole), task.nodata).run();
+  const GridWindow window = task.window.value_or(whole);
+  if (raster.doubles) HeightSender<double>(*dataset, window, task.nodata).run();
+  else HeightSender<float>(*dataset, window, task.nodata).run();
 }
 
 }  // namespace lepp::gdal_helper

@@ -35,10 +35,11 @@ constexpr Way ways[] = {
 
 double range(const HeightGrid& grid) {
   double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const float h : grid.heights) {
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const double h = grid.heights[i];
     if (std::isnan(h)) continue;
-    low = std::min<double>(low, h);
-    high = std::max<double>(high, h);
+    low = std::min(low, h);
+    high = std::max(high, h);
   }
   return high - low;
 }

@@ -45,6 +45,12 @@ HeightGrid read(const std::string& type, const std::vector<T>& values, const std
   return read_height_grid(folder.put("a.vrt", vrt(type, sizeof(T), georeference, band)), options);
 }
 
+std::vector<double> values_of(const HeightGrid& grid) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < grid.heights.size(); ++i) values.push_back(grid.heights[i]);
+  return values;
+}
+
 std::string refusal(const std::string& georeference) {
   return error_of<InputError>([&] {
     read<float>("Float32", {1, 2, 3, 4, 5, 6}, "", georeference);
@@ -55,7 +61,8 @@ std::string refusal(const std::string& georeference) {
 
 TEST_CASE("GDAL: a north-up raster, its samples in the middle of pixels") {
   const HeightGrid grid = read<float>("Float32", {1, 2, 3, 4, 5, 6}, "");
-  CHECK(grid.heights == std::vector<float>{1, 2, 3, 4, 5, 6});
+  CHECK(values_of(grid) == std::vector<double>{1, 2, 3, 4, 5, 6});
+  CHECK(grid.heights.are_floats());
   CHECK(grid.georeferenced);
   CHECK(grid.origin == Point{105, 47.5});
   REQUIRE(grid.files.size() == 2);  // what is written must not replace either
@@ -121,15 +128,50 @@ TEST_CASE("GDAL: no data by declaration, by NaN, and by a double that the floats
         Places{3});
 }
 
-TEST_CASE("GDAL: scale and offset are applied, and heights that are no floats noticed") {
-  const HeightGrid scaled =
-      read<std::int16_t>("Int16", {1, 2, -9, 4, 5, 6},
-                         "<NoDataValue>-9</NoDataValue><Offset>100</Offset><Scale>0.5</Scale>");
-  CHECK(scaled.heights[1] == 101);
-  CHECK(std::isnan(scaled.heights[2]));
-  CHECK(scaled.rounding == 0);
-  CHECK(read<double>("Float64", {1, 2, 3, 4, 5, 0.1}, "").rounding == 0.1F - 0.1);
-  CHECK(read<std::int32_t>("Int32", {1, 2, 3, 4, 5, 16777217}, "").rounding == 1);
+TEST_CASE("GDAL: scale and offset are applied, to the last digit") {
+  const auto scaled = [](const std::string& scale) {
+    return read<std::int16_t>(
+               "Int16", {1, 2, -9, 4, 5, 6},
+               "<NoDataValue>-9</NoDataValue><Offset>100</Offset><Scale>" + scale + "</Scale>")
+        .heights;
+  };
+  CHECK(scaled("0.5")[1] == 101);
+  CHECK(std::isnan(scaled("0.5")[2]));
+  CHECK(scaled("0.5").are_floats());
+  CHECK(scaled("0.1")[5] == 6 * 0.1 + 100);
+  CHECK(read<float>("Float32", {1, 2, 3, 4, 5, 0.1F}, "<Scale>0.1</Scale>").heights[5] ==
+        0.1F * 0.1);
+}
+
+TEST_CASE("GDAL: heights of every type are those of the file") {
+  const auto agrees = []<class T>(const std::string& type, const std::vector<T>& values,
+                                  const std::string& band = "") {
+    CAPTURE(type);
+    const std::vector<double> heights(values.begin(), values.end());
+    const HeightGrid grid = read<T>(type, values, band);
+    CHECK(values_of(grid) == heights);
+    CHECK(grid.heights.are_floats() == (heights.back() == 7));
+  };
+  agrees("Byte", std::vector<std::uint8_t>{0, 1, 2, 3, 255, 7});
+  agrees("UInt16", std::vector<std::uint16_t>{0, 1, 2, 3, 65535, 7});
+  agrees("Int16", std::vector<std::int16_t>{0, 1, 2, 3, -32768, 7});
+  agrees("Int32", std::vector<std::int32_t>{0, 1, INT32_MIN, INT32_MAX, 16777216, 16777217},
+         "<NoDataValue>16777218</NoDataValue>");
+  agrees("UInt32", std::vector<std::uint32_t>{0, 1, 2, UINT32_MAX, 16777216, 16777217});
+  agrees("Int64", std::vector<std::int64_t>{0, 1, 2, 1LL << 53, -(1LL << 53), (1LL << 40) + 1});
+  agrees("UInt64", std::vector<std::uint64_t>{0, 1, 2, 3, 1ULL << 53, (1ULL << 40) + 1});
+  agrees("Float32", std::vector<float>{0.1F, 1e-45F, 3e38F, 3, 4, 7});
+  agrees("Float64", std::vector<double>{1, 2, 3, 4, 16777216, 7});
+  agrees("Float64", std::vector<double>{1, 2, 1e60, 5e-324, 0.1, 1e6 + 1e-6},
+         "<NoDataValue>1000000</NoDataValue>");
+  const std::string message = error_of<InputError>([&] {
+    read<std::int64_t>("Int64", {1, 2, 3, 4, (1LL << 53) + 1, 6}, "");
+  });
+  CHECK(contains(message, "column 1, row 1"));
+  CHECK(contains(message, "more than 53 bits"));
+  CHECK(std::isnan(read<std::int64_t>("Int64", {1, INT64_MAX, 3, 4, 5, 6},
+                                      "<NoDataValue>9223372036854775807</NoDataValue>")
+                       .heights[1]));
 }
 
 TEST_CASE("GDAL: an infinite height is refused, with its place") {
@@ -137,7 +179,7 @@ TEST_CASE("GDAL: an infinite height is refused, with its place") {
     return error_of<InputError>([&] { read<double>("Float64", {1, 2, 3, 4, height, 6}, ""); });
   };
   CHECK(contains(message(INFINITY), "column 1, row 1"));
-  CHECK(contains(message(1e39), "column 1, row 1"));
+  CHECK(contains(message(1e61), "column 1, row 1"));
 }
 
 TEST_CASE("GDAL: a header and a window, without the rest") {
@@ -148,7 +190,7 @@ TEST_CASE("GDAL: a header and a window, without the rest") {
   CHECK(header.columns == 3);
   CHECK(header.heights.empty());
   const HeightGrid part = read_height_window(path, {1, 0, 2, 2});
-  CHECK(part.heights == std::vector<float>{2, 3, 5, 6});
+  CHECK(values_of(part) == std::vector<double>{2, 3, 5, 6});
   CHECK(part.origin == Point{115, 47.5});
   CHECK(contains(error_of<InputError>([&] { read_height_window(path, {2, 0, 2, 2}); }), "window"));
 }
@@ -214,9 +256,9 @@ TEST_CASE("GDAL: real rasters have the size, range and cells that their list giv
     CHECK(grid.rows == known.rows);
     CHECK(grid.cell_width == doctest::Approx(known.width).epsilon(1e-3));
     CHECK(grid.cell_height == doctest::Approx(known.height).epsilon(1e-3));
-    float low = INFINITY, high = -INFINITY;
+    double low = INFINITY, high = -INFINITY;
     std::size_t without = 0;
-    for (const float h : grid.heights) {
+    for (const double h : values_of(grid)) {
       without += std::isnan(h);
       low = std::fmin(low, h);
       high = std::fmax(high, h);

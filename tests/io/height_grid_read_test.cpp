@@ -56,12 +56,13 @@ std::string refusal(const std::string& name, const std::string& text) {
 }
 
 const std::string asc_head = "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 2\n";
-constexpr float none = std::numeric_limits<float>::quiet_NaN();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-bool same(const std::vector<float>& a, const std::vector<float>& b) {
-  return a.size() == b.size() && std::ranges::equal(a, b, [](float x, float y) {
-           return x == y || (std::isnan(x) && std::isnan(y));
-         });
+bool same(const Heights& a, const std::vector<double>& b) {
+  bool equal = a.size() == b.size();
+  for (std::size_t i = 0; equal && i < b.size(); ++i)
+    equal = a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i]));
+  return equal;
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ TEST_CASE("an ESRI ASCII grid: samples are pixel centers, row 0 is the northern 
   CHECK(grid.georeferenced);
   CHECK(!grid.degrees);
   CHECK(same(grid.heights, {1, 2, 3, 4, none, 6.5F}));
-  CHECK(grid.rounding == 0);
+  CHECK(grid.heights.are_floats());
   CHECK(grid.to_world(grid.sample(2, 0)) == Point{15, 21});
   CHECK(grid.to_grid({15, 21}) == Point{2, 0});
 }
@@ -93,9 +94,13 @@ TEST_CASE("keys of an ESRI ASCII grid in any case and order; CRLF; dx and dy; wr
   CHECK(same(read("a.asc", asc_head + "1 2 +3 4 nan -9999\n").heights, {1, 2, 3, 4, none, none}));
 }
 
-TEST_CASE("heights of text that are no floats: the grid knows how far off they are") {
-  const HeightGrid grid = read("a.asc", asc_head + "1 2 3 4 5 0.1\n");
-  CHECK(grid.rounding == std::abs(0.1 - double(0.1F)));
+TEST_CASE("heights of text are kept as they are written, as doubles from the first one on") {
+  const HeightGrid grid = read("a.asc", asc_head + "1 2 -9999 4 1000000.000001 0.1\n");
+  CHECK(!grid.heights.are_floats());
+  CHECK(same(grid.heights, {1, 2, none, 4, 1000000.000001, 0.1}));
+  CHECK(read("a.asc", asc_head + "1 2 -9999 4 0.5 16777218\n").heights.are_floats());
+  CHECK(
+      same(read("a.asc", asc_head + "1 2 3 4 1e39 1e-310\n").heights, {1, 2, 3, 4, 1e39, 1e-310}));
 }
 
 TEST_CASE("what is wrong with an ESRI ASCII grid is named, with its line") {
@@ -106,7 +111,7 @@ TEST_CASE("what is wrong with an ESRI ASCII grid is named, with its line") {
   CHECK(contains(refusal("a.asc", asc_head + "1 2 3\n4 5 x\n"), "a.asc, line 7: \"x\""));
   CHECK(contains(refusal("a.asc", asc_head + "1 2 3\n4 5 1,5\n"), "decimal point"));
   CHECK(contains(refusal("a.asc", asc_head + "1 2 3\n4 inf 6\n"), "line 7, column 1, row 1"));
-  CHECK(contains(refusal("a.asc", asc_head + "1 2 3\n4 1e39 6\n"), "infinite"));
+  CHECK(contains(refusal("a.asc", asc_head + "1 2 3\n4 1e61 6\n"), "larger than 1.6e60"));
   CHECK(contains(refusal("a.asc", asc_head + "1 2 3\n4 1e999 6\n"), "infinite"));
   CHECK(contains(refusal("a.asc", asc_head), "no heights"));
   CHECK(
@@ -144,7 +149,7 @@ TEST_CASE("the nasty grids are refused or read as their list says") {
 }
 
 TEST_CASE("F32: a line of text, then floats") {
-  const std::string samples = bytes_of_values<float>({1, 2, -7, 4, none, 6.5F}, false);
+  const std::string samples = bytes_of_values<float>({1, 2, -7, 4, NAN, 6.5F}, false);
   const HeightGrid grid = read("a.f32", "F32 3 2 -7\n" + samples);
   CHECK(same(grid.heights, {1, 2, none, 4, none, 6.5F}));
   CHECK(!grid.georeferenced);
@@ -180,7 +185,7 @@ TEST_CASE("infinite heights are no heights if that is declared") {
   const HeightGridOptions declared{.nodata = -INFINITY};
   const HeightGrid grid = read("a.npy", npy("<f8", "False", "(2, 2)", wide), declared);
   CHECK(same(grid.heights, {1, 2, none, 4}));
-  CHECK(grid.rounding == 0);
+  CHECK(grid.heights.are_floats());
 }
 
 TEST_CASE("STM in both byte orders") {
@@ -205,7 +210,7 @@ TEST_CASE("PGM, plain and raw, of one and two bytes, with comments") {
 }
 
 TEST_CASE("NPY: types, byte orders, C and Fortran order, versions") {
-  const std::vector<float> rows = {1, 2, 3, 4, 5, 6};
+  const std::vector<double> rows = {1, 2, 3, 4, 5, 6};
   for (const bool big : {true, false}) {
     CAPTURE(big);
     const std::string order = big ? ">" : "<";
@@ -222,12 +227,54 @@ TEST_CASE("NPY: types, byte orders, C and Fortran order, versions") {
     agrees("u2", std::uint16_t{});
     agrees("i4", std::int32_t{});
     agrees("u4", std::uint32_t{});
+    agrees("i8", std::int64_t{});
+    agrees("u8", std::uint64_t{});
   }
   CHECK(same(read("a.npy", npy("|u1", "False", "(3, 2)", "\1\2\3\4\5\6", 3)).heights, rows));
-  const auto wide = bytes_of_values<double>({1, 0.1, 1, 1}, false);
-  CHECK(read("a.npy", npy("<f8", "False", "(2, 2)", wide)).rounding == 0.1F - 0.1);
-  const auto large = bytes_of_values<std::int32_t>({1, 16777217, 1, 1}, false);
-  CHECK(read("a.npy", npy("<i4", "False", "(2, 2)", large)).rounding == 1);
+}
+
+TEST_CASE("NPY: every height is the one of the file, in both orders, whatever its type") {
+  const auto agrees = [&]<class T>(const std::string& type, const std::vector<T>& values,
+                                   const std::vector<double>& heights) {
+    CAPTURE(type);
+    const std::string c = npy(type, "False", "(2, 2)", bytes_of_values(values, false));
+    CHECK(same(read("a.npy", c).heights, heights));
+    const std::string f = npy(type, "True", "(2, 2)", bytes_of_values(values, false));
+    CHECK(same(read("a.npy", f).heights, {heights[0], heights[2], heights[1], heights[3]}));
+    CHECK(!read("a.npy", f).heights.are_floats());
+  };
+  const double fine = 1e6 + 1e-6, tiny = 5e-324;
+  agrees("<f8", std::vector<double>{1, fine, NAN, tiny}, {1, fine, none, tiny});
+  agrees("<i4", std::vector<std::int32_t>{1, 16777217, INT32_MIN, INT32_MAX},
+         {1, 16777217, -2147483648.0, 2147483647});
+  agrees("<u4", std::vector<std::uint32_t>{1, 16777217, 0, UINT32_MAX},
+         {1, 16777217, 0, 4294967295});
+  agrees("<i8", std::vector<std::int64_t>{1, 16777217, -(1LL << 53), 1LL << 53},
+         {1, 16777217, -0x1p53, 0x1p53});
+  const auto large = bytes_of_values<std::int64_t>({1, 2, (1LL << 53) + 1, 4}, false);
+  const std::string too_large = refusal("a.npy", npy("<i8", "False", "(2, 2)", large));
+  CHECK(contains(too_large, "column 0, row 1"));
+  CHECK(contains(too_large, "more than 53 bits"));
+}
+
+TEST_CASE("no data is compared in the file's own type: values beside it are heights") {
+  const auto read_as = [&]<class T>(const std::string& type, const std::vector<T>& values,
+                                    double nodata) {
+    return read("a.npy", npy(type, "False", "(2, 2)", bytes_of_values(values, false)),
+                {.nodata = nodata})
+        .heights;
+  };
+  CHECK(same(read_as("<i4", std::vector<std::int32_t>{16777216, 16777217, 1, 1}, 16777217),
+             {16777216, none, 1, 1}));
+  CHECK(same(read_as("<i8", std::vector<std::int64_t>{INT64_MIN, 2, 1, 1}, -0x1p63),
+             {none, 2, 1, 1}));
+  const std::vector<double> doubles = {0.1, 0.1F, 1e-60, 0};
+  CHECK(same(read_as("<f8", doubles, 0.1), {none, 0.1F, 1e-60, 0}));
+  CHECK(same(read_as("<f8", doubles, 0), {0.1, 0.1F, 1e-60, none}));
+  CHECK(same(read_as("<f4", std::vector<float>{0.1F, 0.2F, 1, 0}, 0.1), {none, 0.2F, 1, 0}));
+  const double lowest = std::numeric_limits<float>::lowest();
+  CHECK(same(read_as("<f8", std::vector<double>{1, lowest, 1e30, 1}, -3.402823e38),
+             {1, none, 1e30, 1}));
 }
 
 TEST_CASE("an NPY header that makes no sense is refused") {
@@ -310,7 +357,7 @@ TEST_CASE(
       const HeightGrid grid = read_height_grid(folder.put("a.asc", text), options);
       ++taken;
       REQUIRE(grid.heights.size() == grid.size());
-      REQUIRE(grid.heights.capacity() <= text.size());
+      REQUIRE(grid.heights.bytes() <= 4 * text.size());
     } catch (const Error&) {
       ++refused;
     }
@@ -372,9 +419,10 @@ TEST_CASE("real grids have the size and the range that their list gives") {
     const HeightGrid grid = read_height_grid(*path);
     CHECK(grid.columns == known.columns);
     CHECK(grid.rows == known.rows);
-    float low = INFINITY, high = -INFINITY;
+    double low = INFINITY, high = -INFINITY;
     std::size_t without = 0;
-    for (const float h : grid.heights) {
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      const double h = grid.heights[i];
       without += std::isnan(h);
       low = std::fmin(low, h);
       high = std::fmax(high, h);

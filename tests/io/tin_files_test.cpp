@@ -325,7 +325,7 @@ TEST_CASE("a TIN in the world: rows go south, and lines of grid space north") {
   HeightGrid grid;
   grid.columns = 3;
   grid.rows = 2;
-  grid.heights = {1, 2, 3, 4, 5, 6};
+  for (const int height : {1, 2, 3, 4, 5, 6}) grid.heights.push_back(height);
   grid.origin = {100, 50};
   grid.step_x = 10;
   grid.step_y = -20;

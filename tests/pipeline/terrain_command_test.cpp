@@ -172,16 +172,27 @@ TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
   CHECK(has(checked.out, "read in plan, without its heights"));
 }
 
-TEST_CASE("heights of more digits than floats hold are counted against the error, or refused") {
+TEST_CASE("heights of more digits than floats hold are kept: the error is that of the file") {
   const ScratchFolder folder;
-  std::ofstream(folder / "fine.asc") << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
-                                        "20000000 20000001\n20000000 20000001\n";
-  const Outcome refused = run(folder.path(), "terrain fine.asc -o t.obj --max-error 0");
-  CHECK(refused.status == 2);
-  CHECK(has(refused.err, "more digits than floats hold"));
-  const Outcome made = run(folder.path(), "terrain fine.asc -o t.obj --max-error 3");
-  CHECK(made.status == 0);
-  CHECK(has(made.out + made.err, "heights are kept as floats"));
+  std::ofstream(folder / "fine.asc") << "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                                        "20000000.1 20000001.3 20000001\n"
+                                        "20000000 20000001 20000001.5\n";
+  for (const std::string by : {"lepp", "greedy"}) {
+    for (const double error : {0.0, 0.4}) {
+      CAPTURE(by);
+      CAPTURE(error);
+      const Outcome made = run(folder.path(), "terrain fine.asc -o t.obj --force --json - --by " +
+                                                  by + " --max-error " + std::to_string(error));
+      REQUIRE(made.status == 0);
+      const Json report = Json::parse(made.out);
+      CHECK(report["warnings"].empty());
+      CHECK(report["heights"][1] == 20000001.5);
+      CHECK(report["error"]["max"] <= error);
+      const double found =
+          measured(read_obj(folder / "t.obj"), read_height_grid(folder / "fine.asc")).error;
+      CHECK(std::abs(found - report["error"]["max"].get<double>()) < 1e-8);
+    }
+  }
 }
 
 TEST_CASE("the surface metric keeps the error, and lists what breaks its criterion") {

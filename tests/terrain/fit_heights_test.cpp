@@ -51,6 +51,18 @@ TEST_CASE("fit_heights: keeps the bound and lowers the root mean square, places 
   }
 }
 
+TEST_CASE("fit_heights: far from 0 as near to it") {
+  HeightGrid grid = rough(37, 40, 5), high = grid;
+  for (std::size_t i = 0; i < grid.size(); ++i) high.heights.set(i, 1e9 + 1e-3 * grid.heights[i]);
+  Made near = ::made(grid, 8, SimplifyBy::greedy), far{near.domain, near.tin};
+  for (double& height : far.tin.heights) height = 1e9 + 1e-3 * height;
+  fit_heights(grid, near.tin, {8});
+  fit_heights(high, far.tin, {8e-3});
+  for (std::size_t i = 0; i < near.tin.heights.size(); ++i) {
+    CHECK(far.tin.heights[i] - 1e9 == doctest::Approx(1e-3 * near.tin.heights[i]).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("fit_heights: without a bound the heights are those of least squares") {
   const HeightGrid grid = rough(23, 26, 9);
   Made made = ::made(grid, 20, SimplifyBy::lepp);
@@ -81,7 +93,7 @@ TEST_CASE("fit_heights: hard lines and borders of tiles keep their heights; noda
   HeightGrid grid = rough(41, 33, 4);
   for (std::uint32_t row = 10; row < 15; ++row) {
     for (std::uint32_t column = 20; column < 27; ++column) {
-      grid.heights[grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+      grid.heights.set(grid.index(column, row), std::numeric_limits<double>::quiet_NaN());
     }
   }
   Breakline line{{{3, -5}, {15, -28}}, {20, 60}, "line"};

@@ -30,9 +30,7 @@ HeightGrid random_grid(test::Random& random, bool south_up) {
   return grid;
 }
 
-bool has_any_data(const HeightGrid& grid) {
-  return std::ranges::any_of(grid.heights, [](float h) { return !std::isnan(h); });
-}
+bool has_any_data(const HeightGrid& grid) { return grid.has_any_data(); }
 
 /// What the domain of a part covers, samples by their place in the whole.
 struct Cover {

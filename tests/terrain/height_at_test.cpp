@@ -14,12 +14,12 @@ TEST_CASE("at a sample the height is the sample's, bit for bit") {
   for (const double aspect : {1.0, 0.3, 74.4 / 92.6}) {
     CAPTURE(aspect);
     HeightGrid grid = grid_of({"1.3.", "23.5", "4567"}, aspect);
-    for (float& h : grid.heights) h *= 0.1F;
+    for (std::size_t i = 0; i < grid.size(); ++i) grid.heights.set(i, 0.1 * grid.heights[i]);
     for (std::uint32_t row = 0; row < grid.rows; ++row) {
       for (std::uint32_t column = 0; column < grid.columns; ++column) {
         if (!grid.has_data(column, row)) continue;
         CHECK(height_at(grid, grid.sample(column, grid.rows - 1 - row)) ==
-              double(grid.height(column, row)));
+              grid.height(column, row));
       }
     }
   }
@@ -57,7 +57,7 @@ TEST_CASE("far from all data the height is that of the nearest sample, as a full
   for (int i = 0; i < 300; ++i) {
     CAPTURE(i);
     HeightGrid grid = grid_of(std::vector<std::string>(9, std::string(7, '.')), i % 2 ? 1 : 0.4);
-    for (int k = 0; k < 3; ++k) grid.heights[random.below(63)] = static_cast<float>(k);
+    for (int k = 0; k < 3; ++k) grid.heights.set(random.below(63), k);
     const Point p{random.real(-1, 7), random.real(-1, 9) * grid.aspect()};
     const Point inside{std::clamp(p.x, 0.0, 6.0), std::clamp(p.y, 0.0, 8 * grid.aspect())};
     double nearest = INFINITY;
@@ -71,7 +71,7 @@ TEST_CASE("far from all data the height is that of the nearest sample, as a full
     bool is_nearest = false;
     for (std::uint32_t line = 0; line < 9; ++line) {
       for (std::uint32_t column = 0; column < 7; ++column) {
-        is_nearest |= double(grid.height(column, grid.row_of_line(line))) == height &&
+        is_nearest |= grid.height(column, grid.row_of_line(line)) == height &&
                       squared_distance(inside, grid.sample(column, line)) <= nearest * 1.0000001;
       }
     }

@@ -26,6 +26,21 @@ HeightGrid grid_of(std::uint32_t columns, std::uint32_t rows, Height height) {
   return grid;
 }
 
+/// The same with heights that need not be floats.
+template <class Height>
+HeightGrid exact_grid_of(std::uint32_t columns, std::uint32_t rows, Height height) {
+  HeightGrid grid = grid_of(columns, rows, [](double, double) { return 0; });
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    for (std::uint32_t column = 0; column < columns; ++column)
+      grid.heights.set(grid.index(column, row), height(column, row));
+  }
+  return grid;
+}
+
+inline void raise(HeightGrid& grid, std::uint32_t column, std::uint32_t row, double by) {
+  grid.heights.set(grid.index(column, row), grid.height(column, row) + by);
+}
+
 /// Smooth hills 100 high; some 20 cells from top to top.
 inline double hill(double x, double y) {
   return 50 * (std::sin(0.31 * x) * std::cos(0.23 * y) + std::sin(0.07 * x + 0.11 * y));

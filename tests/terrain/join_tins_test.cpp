@@ -47,7 +47,7 @@ TEST_CASE("tiles join to one valid mesh with the outline of the whole and its gr
   HeightGrid grid = test::hills(41, 31);
   for (std::uint32_t row = 10; row < 19; ++row) {  // a hole across the line that tiles share
     for (std::uint32_t column = 15; column < 28; ++column) {
-      grid.heights[grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+      grid.heights.set(grid.index(column, row), std::numeric_limits<double>::quiet_NaN());
     }
   }
   grid.cell_height = 1.3;

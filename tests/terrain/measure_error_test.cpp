@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <limits>
+#include <cmath>
 
 #include "lepp/triangulation/constrained_delaunay.hpp"
 #include "terrain/hills.hpp"
@@ -29,8 +29,8 @@ TEST_CASE("measure_error: a plane has none; a spike is found where it is, with i
     Tin tin = tin_of(grid, rectangle(grid));
     CHECK(measure_error(grid, tin).max < 1e-12);
     CHECK(measure_error(grid, tin).samples == 63);
-    grid.heights[grid.index(5, 2)] += 3;
-    grid.heights[grid.index(4, 6)] -= 8;  // on the rim
+    raise(grid, 5, 2, 3);
+    raise(grid, 4, 6, -8);  // on the rim
     const TerrainError error = measure_error(grid, tin);
     CHECK(error.max == doctest::Approx(8));
     CHECK(error.column == 4);
@@ -51,7 +51,8 @@ TEST_CASE("measure_error: samples outside the mesh are lost, those without data 
   CHECK(measure_error(grid, half).lost == plain.lost);
   CHECK(measure_error(grid, half).samples == plain.samples);
   const Tin all = tin_of(grid, rectangle(grid));
-  grid.heights[30] = grid.heights[31] = std::numeric_limits<float>::quiet_NaN();
+  grid.heights.set(30, NAN);
+  grid.heights.set(31, NAN);
   CHECK(measure_error(grid, all).covered == 2);
   CHECK(measure_error(grid, all).samples == 12 * 9 - 2);
 }

@@ -30,7 +30,7 @@ TEST_CASE("a TIN becomes nonobtuse and admissible in world coordinates, and keep
   HeightGrid grid = rough(50, 40, 11);
   for (std::size_t i = 0; i < grid.size(); ++i) {  // an irregular outline
     const double x = double(i % 50) - 24, y = double(i / 50) - 19;
-    if (x * x + 1.5 * y * y > 500) grid.heights[i] = std::numeric_limits<float>::quiet_NaN();
+    if (x * x + 1.5 * y * y > 500) grid.heights.set(i, NAN);
   }
   grid.origin = {500000.1, 4649000.7};  // nothing is exact in the world
   grid.step_x = 6.7218;

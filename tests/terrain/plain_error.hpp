@@ -31,11 +31,12 @@ inline PlainError plain_error(const HeightGrid& grid, const Tin& tin) {
         const auto height = [&](std::uint32_t k) {
           return tin.heights[tin.mesh.vertex(t, k).index()];
         };
-        const double z = (cross(c - b, p - b) * height(0) + cross(a - c, p - c) * height(1) +
-                          cross(b - a, p - a) * height(2)) /
+        // Above the first corner: far from 0 sums of heights are rounded, differences are not.
+        const double z = (cross(a - c, p - c) * (height(1) - height(0)) +
+                          cross(b - a, p - a) * (height(2) - height(0))) /
                          whole;
         if (grid.has_data(column, row)) {
-          largest = std::max(largest, std::abs(double(grid.height(column, row)) - z));
+          largest = std::max(largest, std::abs(grid.height(column, row) - height(0) - z));
         }
         found = true;
       }

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "lepp/terrain/simplify.hpp"
 #include "lepp/triangulation/validate.hpp"
@@ -28,7 +27,7 @@ Site random_site(Random& random) {
   for (std::uint32_t row = 0; row < rows; ++row) {
     for (std::uint32_t column = 0; column < columns; ++column) {
       if (std::hypot(column - x, row - y) > radius) continue;
-      site.grid.heights[site.grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+      site.grid.heights.set(site.grid.index(column, row), NAN);
     }
   }
   for (std::uint32_t i = random.below(4); i-- > 0;) {
@@ -74,7 +73,7 @@ TEST_CASE("simplify: a line close to the outline and nearly parallel to it") {
   for (const std::uint32_t row : {7U, 8U}) {
     for (std::uint32_t column = 25; column <= 30; ++column) {
       if (row == 7 || column < 30) {
-        grid.heights[grid.index(column, row - 1)] = std::numeric_limits<float>::quiet_NaN();
+        grid.heights.set(grid.index(column, row - 1), NAN);
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "lepp/geometry/error.hpp"
@@ -171,7 +172,7 @@ TEST_CASE("simplify: samples without data outside the domain ask for nothing") {
   HeightGrid grid = hills(40, 30);
   for (std::uint32_t row = 0; row < 30; ++row) {
     for (std::uint32_t column = 20; column < 40; ++column) {
-      grid.heights[grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+      grid.heights.set(grid.index(column, row), NAN);
     }
   }
   TerrainDomain domain;

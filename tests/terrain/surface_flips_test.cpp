@@ -84,8 +84,8 @@ TEST_CASE("restore keeps a diagonal where the other would be off by more than ma
   for (std::uint32_t row = 0; row < 6; ++row) {
     for (std::uint32_t column = 0; column < 5; ++column) {
       const double x = column, y = 5 - row;
-      four.grid.heights[four.grid.index(column, row)] =
-          static_cast<float>(x + y <= 4 ? 2.25 * (y - x) : 1.8 - 2.7 * x + 1.8 * y);
+      four.grid.heights.set(four.grid.index(column, row),
+                            x + y <= 4 ? 2.25 * (y - x) : 1.8 - 2.7 * x + 1.8 * y);
     }
   }
   std::vector<TriangleId> both{TriangleId(0U), TriangleId(1U)};

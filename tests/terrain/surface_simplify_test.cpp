@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -121,7 +122,7 @@ TEST_CASE("Level ground: equal bytes round holes without data") {
   HeightGrid grid = level(50, 40);
   for (std::uint32_t row = 12; row < 22; ++row) {
     for (std::uint32_t column = 20 + row % 3; column < 31; ++column) {
-      grid.heights[grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+      grid.heights.set(grid.index(column, row), NAN);
     }
   }
   TerrainDomain domain;  // a stair as nodata outlines make it

@@ -57,7 +57,7 @@ TEST_CASE("no sample is lost and none without data covered, whatever the pattern
     CAPTURE(i);
     const double share = 0.05 + 0.1 * double(random.below(10));
     const HeightGrid grid = random_grid(random, share, i % 3 == 0 ? 1 : i % 3 == 1 ? 0.3 : 1.7);
-    if (!std::ranges::any_of(grid.heights, [](float h) { return !std::isnan(h); })) continue;
+    if (!grid.has_any_data()) continue;
     const TerrainDomain domain = terrain_domain(grid);
     REQUIRE(validate(domain.pslg).empty());
     const auto found = test::coverage(grid, constrained_delaunay(domain.pslg).mesh);

@@ -14,21 +14,21 @@ using namespace lepp::test;
 
 namespace {
 
-const float no_data = std::numeric_limits<float>::quiet_NaN();
+const double no_data = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<float> line_of(std::size_t n, auto height) {
-  std::vector<float> heights;
-  for (std::size_t i = 0; i < n; ++i) heights.push_back(static_cast<float>(height(double(i))));
+std::vector<double> line_of(std::size_t n, auto height) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < n; ++i) heights.push_back(height(double(i)));
   return heights;
 }
 
-double largest_error(const std::vector<float>& heights, const std::vector<std::uint32_t>& at) {
+double largest_error(const std::vector<double>& heights, const std::vector<std::uint32_t>& at) {
   double largest = 0;
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
     for (std::uint32_t i = at[k]; i <= at[k + 1]; ++i) {
       const double t = double(i - at[k]) / double(at[k + 1] - at[k]);
-      largest = std::max(largest, std::abs((1 - t) * heights[at[k]] + t * heights[at[k + 1]] -
-                                           double(heights[i])));
+      largest = std::max(largest,
+                         std::abs((1 - t) * heights[at[k]] + t * heights[at[k + 1]] - heights[i]));
     }
   }
   return largest;
@@ -77,7 +77,7 @@ TEST_CASE("the samples of a border keep the error, and pieces side by side diffe
 }
 
 TEST_CASE("runs of a border without data between them stand alone") {
-  std::vector<float> heights(20, 1.0f);
+  std::vector<double> heights(20, 1.0);
   heights[5] = heights[7] = heights[8] = no_data;
   const auto at = border_samples(heights, 0.1);
   CHECK(std::ranges::find(at, 4U) != at.end());
@@ -85,8 +85,8 @@ TEST_CASE("runs of a border without data between them stand alone") {
   CHECK(std::ranges::find(at, 9U) != at.end());
   CHECK(std::ranges::is_sorted(at));
   for (const std::uint32_t i : at) CHECK(!std::isnan(heights[i]));
-  CHECK(border_samples(std::vector<float>(4, no_data), 1).empty());
-  CHECK(border_samples(std::vector<float>{2.0f}, 1) == std::vector<std::uint32_t>{0});
+  CHECK(border_samples(std::vector<double>(4, no_data), 1).empty());
+  CHECK(border_samples(std::vector<double>{2.0}, 1) == std::vector<std::uint32_t>{0});
 }
 
 TEST_CASE("two grids that share a line get the same vertices on it") {
@@ -139,7 +139,7 @@ TEST_CASE("pieces of a border keep the curve of their side") {
 }
 
 TEST_CASE("a corner of the outline beside a border ends a run of it") {
-  const std::vector<float> flat(41, 5.0f);
+  const std::vector<double> flat(41, 5.0f);
   const std::vector<std::uint32_t> corners = {0, 17, 40};
   const auto at = border_samples(flat, 1, corners);
   for (const std::uint32_t i : {0U, 1U, 16U, 17U, 18U, 39U, 40U}) {

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "lepp/geometry/predicates.hpp"
@@ -75,11 +74,11 @@ TEST_CASE("TriangleScan: the worst sample, and where") {
   const auto corner = [](double c, double l) { return TerrainCorner{c, l, 3 * c - 2 * l + 10}; };
   const std::array<TerrainCorner, 3> t{corner(0, 0), corner(8, 0), corner(0, 6)};
   CHECK(TriangleScan(grid).worst(t).error < 1e-12);
-  grid.heights[grid.index(2, grid.row_of_line(3))] += 5;    // inside
-  grid.heights[grid.index(4, grid.row_of_line(3))] -= 7;    // on the long side
-  grid.heights[grid.index(7, grid.row_of_line(5))] += 100;  // outside
-  grid.heights[grid.index(8, grid.row_of_line(0))] += 50;   // a corner
-  grid.heights[grid.index(1, grid.row_of_line(1))] = std::numeric_limits<float>::quiet_NaN();
+  raise(grid, 2, grid.row_of_line(3), 5);    // inside
+  raise(grid, 4, grid.row_of_line(3), -7);   // on the long side
+  raise(grid, 7, grid.row_of_line(5), 100);  // outside
+  raise(grid, 8, grid.row_of_line(0), 50);   // a corner
+  grid.heights.set(grid.index(1, grid.row_of_line(1)), NAN);
   const WorstSample worst = TriangleScan(grid).worst(t);
   CHECK(worst.error == doctest::Approx(7));
   CHECK(worst.at == Sample{4, 3});

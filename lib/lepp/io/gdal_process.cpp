@@ -67,7 +67,12 @@ Record receive(Helper& helper, const RecordKind& kind, std::size_t most) {
   return record;
 }
 
-HeightGrid receive_header(Helper& helper, const fs::path& path) {
+struct ReceivedHeader {
+  HeightGrid grid;
+  bool doubles;  // heights will come as such
+};
+
+ReceivedHeader receive_header(Helper& helper, const fs::path& path) {
   auto raster = receive<GdalRaster>(helper, gdal_raster_kind, std::size_t{1} << 26);
   if (raster.failure) throw_failure(*raster.failure, path);
   HeightGrid grid;
@@ -82,12 +87,12 @@ HeightGrid receive_header(Helper& helper, const fs::path& path) {
   grid.files = std::move(raster.files);
   for (const std::string& warning : raster.warnings)
     grid.warnings.push_back(grid.source + ": " + warning);
-  return grid;
+  return {std::move(grid), raster.doubles};
 }
 
-void check_memory(const HeightGrid& grid) {
+void check_memory(const HeightGrid& grid, std::size_t bytes_of_height) {
   const double there = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
-  const double wanted = double(grid.size()) * sizeof(float);
+  const double wanted = double(grid.size()) * double(bytes_of_height);
   if (wanted <= there) return;
   throw RefusedError(grid.source,
                      "its " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
@@ -96,28 +101,29 @@ void check_memory(const HeightGrid& grid) {
                      "read it in windows");
 }
 
+template <class Height>
 void receive_heights(Helper& helper, const fs::path& path, HeightGrid& grid) {
-  check_memory(grid);
+  check_memory(grid, sizeof(float));
   grid.heights.reserve(grid.size());
+  std::vector<Height> part;
   while (true) {
     std::uint32_t rows = 0;
     if (!helper.read_all(std::as_writable_bytes(std::span(&rows, 1)))) helper.fail_without_result();
     if (rows == 0) break;
     const std::size_t count = std::size_t{rows} * grid.columns, done = grid.heights.size();
     if (count > grid.size() - done) helper.fail_without_result();
-    constexpr std::size_t step = std::size_t{1} << 17;  // memory is touched while in the cache
-    for (std::size_t left = count; left != 0;) {
-      const std::size_t n = std::min(left, step);
-      grid.heights.resize(grid.heights.size() + n);
-      const auto part = std::span(grid.heights).last(n);
-      if (!helper.read_all(std::as_writable_bytes(part))) helper.fail_without_result();
-      left -= n;
+    constexpr std::size_t step = std::size_t{1} << 16;  // so that caches hold a part
+    for (std::size_t left = count; left != 0; left -= part.size()) {
+      part.resize(std::min(left, step));
+      if (!helper.read_all(std::as_writable_bytes(std::span(part)))) helper.fail_without_result();
+      const bool were_floats = grid.heights.are_floats();
+      grid.heights.append(std::span<const Height>(part));
+      if (were_floats && !grid.heights.are_floats()) check_memory(grid, sizeof(double));
     }
   }
   const auto end = receive<GdalRasterEnd>(helper, gdal_end_kind, std::size_t{1} << 20);
   if (end.failure) throw_failure(*end.failure, path);
   if (grid.heights.size() != grid.size()) helper.fail_without_result();
-  grid.rounding = end.rounding;
 }
 
 std::string text_of(const std::optional<GridWindow>& window) {
@@ -135,7 +141,7 @@ std::string text_of(const std::optional<GridWindow>& window) {
 HeightGrid read_gdal_header(const fs::path& path, const GdalOptions& options) {
   const PrivateFolder folder;
   Helper helper(task_of(path, folder.path(), {"raster", "header", "-"}, options));
-  return receive_header(helper, path);
+  return receive_header(helper, path).grid;
 }
 
 HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindow>& window,
@@ -145,10 +151,11 @@ HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindo
   const PrivateFolder folder;
   Helper helper(task_of(path, folder.path(),
                         {"raster", text_of(window), nodata ? to_text(*nodata) : "-"}, options));
-  HeightGrid whole = receive_header(helper, path);
+  auto [whole, doubles] = receive_header(helper, path);
   prepare(whole);
   HeightGrid grid = window ? grid_of_window(whole, *window) : std::move(whole);
-  receive_heights(helper, path, grid);
+  if (doubles) receive_heights<double>(helper, path, grid);
+  else receive_heights<float>(helper, path, grid);
   return grid;
 }
 

@@ -8,9 +8,9 @@ void fields(auto& archive, Is<GdalFailure> auto& f) {
 }
 void fields(auto& archive, Is<GdalRaster> auto& r) {
   archive(r.failure, r.columns, r.rows, r.georeferenced, r.degrees, r.origin, r.step_x, r.step_y,
-          r.crs, r.warnings, r.files);
+          r.crs, r.doubles, r.warnings, r.files);
 }
-void fields(auto& archive, Is<GdalRasterEnd> auto& e) { archive(e.failure, e.rounding); }
+void fields(auto& archive, Is<GdalRasterEnd> auto& e) { archive(e.failure); }
 void fields(auto& archive, Is<GdalPart> auto& p) { archive(p.kind, p.rings, p.heights); }
 void fields(auto& archive, Is<GdalFeature> auto& f) { archive(f.name, f.parts); }
 void fields(auto& archive, Is<GdalLines> auto& l) {

@@ -16,7 +16,8 @@ namespace lepp {
 /// What the helper lepp-gdal sends back. Nothing here depends on GDAL.
 ///
 /// Of a raster: a GdalRaster; if heights were asked for, then blocks of rows, each its number of
-/// rows (32 bits, not 0) and its floats, NaN where there is no data; a 0; and a GdalRasterEnd.
+/// rows (32 bits, not 0) and its heights, floats or doubles, NaN where there is no data; a 0; and a
+/// GdalRasterEnd.
 /// Of a vector file: one GdalLines.
 
 /// Why there is nothing else.
@@ -33,7 +34,8 @@ struct GdalRaster {
   bool georeferenced = false, degrees = false;
   Point origin;  ///< center of the first pixel
   double step_x = 1, step_y = -1;
-  std::string crs;  ///< WKT
+  std::string crs;       ///< WKT
+  bool doubles = false;  ///< heights come as such, else as floats
   std::vector<std::string> warnings;
   std::vector<std::string> files;  ///< all that GDAL reads for it, such as the parts of a mosaic
 };
@@ -41,7 +43,6 @@ struct GdalRaster {
 /// What is known only after all heights.
 struct GdalRasterEnd {
   std::optional<GdalFailure> failure;
-  double rounding = 0;
 };
 
 /// A part of a feature's geometry.
@@ -64,8 +65,8 @@ struct GdalLines {
   std::vector<GdalFeature> features;
 };
 
-inline constexpr RecordKind gdal_raster_kind = {{'g', 'd', 'a', 'l', 'r', 'a', 's', 't'}, 2};
-inline constexpr RecordKind gdal_end_kind = {{'g', 'd', 'a', 'l', 'r', 'e', 'n', 'd'}, 1};
+inline constexpr RecordKind gdal_raster_kind = {{'g', 'd', 'a', 'l', 'r', 'a', 's', 't'}, 3};
+inline constexpr RecordKind gdal_end_kind = {{'g', 'd', 'a', 'l', 'r', 'e', 'n', 'd'}, 2};
 inline constexpr RecordKind gdal_lines_kind = {{'g', 'd', 'a', 'l', 'l', 'i', 'n', 'e'}, 1};
 
 std::vector<std::byte> encode(const GdalRaster& record);

@@ -67,12 +67,13 @@ class NpyHeader {
     const std::string_view value = value_of("descr");
     const std::string_view quoted = value.substr(std::min<std::size_t>(1, value.size()));
     const std::string_view type = quoted.substr(0, quoted.find_first_of("'\""));
-    constexpr std::array names = {"u1"sv, "i1"sv, "u2"sv, "i2"sv, "u4"sv, "i4"sv, "f4"sv, "f8"sv};
+    constexpr std::array names = {"u1"sv, "i1"sv, "u2"sv, "i2"sv, "u4"sv,
+                                  "i4"sv, "u8"sv, "i8"sv, "f4"sv, "f8"sv};
     const auto* const found =
         type.size() == 3 ? std::ranges::find(names, type.substr(1)) : names.end();
     if (found == names.end() || "<>|="sv.find(type[0]) == std::string_view::npos) {
       fail("its values are of type \"" + std::string(type.substr(0, 40)) + "\"",
-           "convert them: array.astype('float32'); f4, f8 and integers up to 4 bytes are read");
+           "convert them: array.astype('float32'); f4, f8 and integers are read");
     }
     layout.type = static_cast<SampleType>(found - names.begin());
     layout.big_endian = type[0] == '>';

@@ -177,7 +177,7 @@ void check_usable(const HeightGrid& grid) {
                          std::to_string(grid.rows) + " samples has no area between them",
                      "give at least two columns and two rows");
   }
-  if (std::ranges::any_of(grid.heights, [](float h) { return !std::isnan(h); })) return;
+  if (grid.has_any_data()) return;
   throw InputError(grid.source, "all " + std::to_string(grid.size()) + " samples are without data",
                    "check the value that means no data");
 }

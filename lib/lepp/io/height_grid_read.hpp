@@ -28,10 +28,13 @@ struct HeightGridOptions {
 /// begins, ESRI ASCII by its name or its first word. All other files go to the separate program
 /// lepp-gdal: GeoTIFF and everything else that GDAL reads, band 1, with scale and offset, declared
 /// values of no data and masks applied; north-up or south-up, not rotated.
-/// \throw InputError   naming the file, and the line or the place in it
+/// Heights are those of the file, whatever their type: of Float64 or wide integers, of text and of
+/// scaled bands too (Heights). A value means no data if it is the declared one in the file's type.
+/// \throw InputError   naming the file, and the line or the place in it; also of a height beyond
+///                     1.6e60, or of a 64-bit integer beyond 2^53
 /// \throw RefusedError more than the memory of this machine
-/// Cost   one pass; memory for the heights and about a MiB. Nothing is allocated for heights that
-///        the file is too short to hold.
+/// Cost   one pass; memory for the heights, 4 bytes each if all are floats, else 8, and about a
+///        MiB. Nothing is allocated for heights that the file is too short to hold.
 HeightGrid read_height_grid(const std::filesystem::path& path,
                             const HeightGridOptions& options = {});
 

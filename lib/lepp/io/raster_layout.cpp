@@ -15,12 +15,16 @@ std::size_t bytes_of(SampleType type) {
     case SampleType::u16:
     case SampleType::i16:
       return 2;
+    case SampleType::u64:
+    case SampleType::i64:
     case SampleType::f64:
       return 8;
     default:
       return 4;
   }
 }
+
+bool gives_floats(SampleType type) { return bytes_of(type) <= 2 || type == SampleType::f32; }
 
 void set_size(HeightGrid& grid, double columns, double rows) {
   constexpr double most = 0x1p28;

@@ -10,9 +10,11 @@
 
 namespace lepp {
 
-enum class SampleType { u8, i8, u16, i16, u32, i32, f32, f64 };
+enum class SampleType { u8, i8, u16, i16, u32, i32, u64, i64, f32, f64 };
 
 std::size_t bytes_of(SampleType type);
+/// True if each value of the type is a float.
+bool gives_floats(SampleType type);
 
 /// Where the samples of a binary raster are in its file, and in which form.
 struct RasterLayout {
@@ -46,7 +48,8 @@ void check_bytes(const InputFile& file, const BinaryRaster& raster);
 HeightGrid grid_of_window(const HeightGrid& whole, const GridWindow& window);
 
 /// Reads the heights of a window, and nothing else of the file. `grid` is grid_of_window().
-/// \throw InputError  naming the first infinite height, or one that no float holds
+/// \throw InputError  naming a height that is infinite, larger than 1.6e60 or an integer of more
+///                    than 53 bits
 /// Cost   one pass; memory for the heights and about a MiB
 void read_samples(const InputFile& file, const BinaryRaster& whole, const GridWindow& window,
                   HeightGrid& grid);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "lepp/io/raster_layout.hpp"
 #include "lepp/io/sample_values.hpp"
@@ -9,6 +11,8 @@ namespace {
 
 constexpr std::size_t samples_at_once = std::size_t{1} << 17;  // a buffer that caches hold
 
+// Height: Height  float if each value of the file's type is one, else double
+template <class Height>
 class SampleReader {
  public:
   SampleReader(const InputFile& file, const BinaryRaster& whole, const GridWindow& window,
@@ -34,22 +38,22 @@ class SampleReader {
   }
 
   // Converts what lies from `place` on.
-  void read(std::uint64_t place, std::span<float> heights) {
+  void read(std::uint64_t place, std::span<Height> heights) {
     buffer_.resize(heights.size() * sample_bytes_);
     file_.read_all(place, buffer_);
-    grid_.rounding = std::max(grid_.rounding, convert_samples(layout_, nodata_, buffer_, heights));
+    convert_samples(layout_, nodata_, buffer_, heights);
   }
 
-  // The next `count` heights of the grid; memory that is new is touched while it is in the cache.
+  // The next `count` heights of the grid.
   void append(std::uint64_t place, std::size_t count) {
     const std::size_t first = grid_.heights.size();
-    grid_.heights.resize(first + count);
-    const std::span<float> heights = std::span(grid_.heights).subspan(first);
-    read(place, heights);
-    if (const auto i = first_infinite(heights)) {
-      refuse_infinite(grid_.source, window_.column + (first + *i) % window_.columns,
-                      window_.row + (first + *i) / window_.columns);
+    heights_.resize(count);
+    read(place, heights_);
+    if (const auto i = first_unusable(std::span<const Height>(heights_))) {
+      refuse_height(grid_.source, window_.column + (first + *i) % window_.columns,
+                    window_.row + (first + *i) / window_.columns);
     }
+    grid_.heights.append(std::span<const Height>(heights_));
   }
 
   void read_run() {
@@ -75,22 +79,27 @@ class SampleReader {
   void read_columns() {
     grid_.heights.resize(grid_.size());
     const std::size_t most = std::clamp<std::size_t>(samples_at_once / window_.rows, 1, 64);
-    std::vector<float> strip(most * window_.rows);
     for (std::uint32_t first = 0; first < window_.columns;) {
       const auto count =
           static_cast<std::uint32_t>(std::min<std::size_t>(most, window_.columns - first));
-      for (std::uint32_t k = 0; k < count; ++k) {
-        const auto column = std::span(strip).subspan(std::size_t{k} * window_.rows, window_.rows);
-        read(place(window_.column + first + k, window_.row), column);
-        if (const auto row = first_infinite(column))
-          refuse_infinite(grid_.source, window_.column + first + k, window_.row + *row);
-      }
+      read_strip(first, count);
+      std::array<Height, 64> along;  // a row of the strip
       for (std::uint32_t row = 0; row < window_.rows; ++row) {
-        for (std::uint32_t k = 0; k < count; ++k) {
-          grid_.heights[grid_.index(first + k, row)] = strip[std::size_t{k} * window_.rows + row];
-        }
+        for (std::uint32_t k = 0; k < count; ++k)
+          along[k] = heights_[std::size_t{k} * window_.rows + row];
+        grid_.heights.assign(grid_.index(first, row), std::span<const Height>(along).first(count));
       }
       first += count;
+    }
+  }
+
+  void read_strip(std::uint32_t first, std::uint32_t count) {
+    heights_.resize(std::size_t{count} * window_.rows);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto column = std::span(heights_).subspan(std::size_t{k} * window_.rows, window_.rows);
+      read(place(window_.column + first + k, window_.row), column);
+      if (const auto row = first_unusable(std::span<const Height>(column)))
+        refuse_height(grid_.source, window_.column + first + k, window_.row + *row);
     }
   }
 
@@ -102,13 +111,15 @@ class SampleReader {
   const std::uint64_t line_length_;
   const NodataRange nodata_;
   std::vector<std::byte> buffer_;
+  std::vector<Height> heights_;
 };
 
 }  // namespace
 
 void read_samples(const InputFile& file, const BinaryRaster& whole, const GridWindow& window,
                   HeightGrid& grid) {
-  SampleReader(file, whole, window, grid).run();
+  if (gives_floats(whole.layout.type)) SampleReader<float>(file, whole, window, grid).run();
+  else SampleReader<double>(file, whole, window, grid).run();
 }
 
 }  // namespace lepp

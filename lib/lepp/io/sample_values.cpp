@@ -4,15 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <type_traits>
+#include <cstring>
 
 #include "lepp/geometry/error.hpp"
 
 namespace lepp {
 
 namespace {
-
-constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
 
 template <class T, bool swapped>
 T value_at(const std::byte* place) {
@@ -22,53 +20,68 @@ T value_at(const std::byte* place) {
   return std::bit_cast<T>(bytes);
 }
 
-template <class T, bool swapped>
-double convert(const NodataRange& nodata, std::span<const std::byte> samples,
-               std::span<float> heights) {
-  constexpr bool exact_as_float = sizeof(T) <= 2 || std::is_same_v<T, float>;
-  double rounding = 0;
-  const std::byte* place = samples.data();
-  for (float& height : heights) {
-    const T value = value_at<T, swapped>(place);
-    place += sizeof(T);
-    if constexpr (exact_as_float) {
-      const float h = static_cast<float>(value);
-      height = nodata.has(h) ? no_data : h;
-    } else {
-      const double wide = static_cast<double>(value);
-      const float h = to_float(wide);
-      const bool none = std::is_integral_v<T> ? wide == nodata.exact : nodata.has(h);
-      height = none ? no_data : h;
-      // False for NaN and for an infinite height.
-      if (const double off = std::abs(wide - double(h)); !none && off > rounding && off < 1e300)
-        rounding = off;
-    }
-  }
-  return rounding;
+template <class Height>
+Height height_of(std::integral auto value) {
+  if constexpr (sizeof(value) == 8) return height_of_integer(value);
+  else return static_cast<Height>(value);
+}
+template <class Height>
+Height height_of(std::floating_point auto value) {
+  return value;
 }
 
-template <class T>
-double convert(const RasterLayout& layout, const NodataRange& nodata,
-               std::span<const std::byte> samples, std::span<float> heights) {
+template <class T, bool swapped, class Height>
+void convert(const NodataRange& nodata, std::span<const std::byte> samples,
+             std::span<Height> heights) {
+  const std::byte* place = samples.data();
+  for (Height& height : heights) {
+    const T value = value_at<T, swapped>(place);
+    place += sizeof(T);
+    height =
+        nodata.has(value) ? std::numeric_limits<Height>::quiet_NaN() : height_of<Height>(value);
+  }
+}
+
+template <class T, class Height>
+void convert(const RasterLayout& layout, const NodataRange& nodata,
+             std::span<const std::byte> samples, std::span<Height> heights) {
   const bool swapped = layout.big_endian != (std::endian::native == std::endian::big);
-  return swapped ? convert<T, true>(nodata, samples, heights)
-                 : convert<T, false>(nodata, samples, heights);
+  if (swapped) convert<T, true>(nodata, samples, heights);
+  else convert<T, false>(nodata, samples, heights);
+}
+
+// The nearest float, or an infinity.
+float to_float(double value) {
+  constexpr double limit = 0x1.ffffffp127;  // from here on the nearest float would be 2^128
+  if (value >= limit) return std::numeric_limits<float>::infinity();
+  if (value <= -limit) return -std::numeric_limits<float>::infinity();
+  return static_cast<float>(value);
+}
+
+template <class Height>
+std::optional<std::size_t> first_beyond(std::span<const Height> heights, Height limit) {
+  bool any = false;
+  for (const Height h : heights) any |= std::abs(h) > limit;
+  if (!any) return std::nullopt;
+  const auto found = std::ranges::find_if(heights, [&](Height h) { return std::abs(h) > limit; });
+  return static_cast<std::size_t>(found - heights.begin());
 }
 
 }  // namespace
 
 NodataRange::NodataRange(std::optional<double> nodata) {
   if (!nodata || std::isnan(*nodata)) return;
-  exact = *nodata;
-  low = high = to_float(exact);
-  if (std::abs(exact) > 1e30 && std::isfinite(exact)) {
-    low = to_float(exact - 1e-6 * std::abs(exact));
-    high = to_float(exact + 1e-6 * std::abs(exact));
-  }
+  const double value = *nodata;
+  const bool is_no_height = std::abs(value) > 1e30 && std::isfinite(value);
+  const double around = is_no_height ? 1e-6 * std::abs(value) : 0;
+  low_wide = value - around;
+  high_wide = value + around;
+  low = to_float(low_wide);
+  high = to_float(high_wide);
 }
 
-double convert_samples(const RasterLayout& layout, const NodataRange& nodata,
-                       std::span<const std::byte> samples, std::span<float> heights) {
+void convert_samples(const RasterLayout& layout, const NodataRange& nodata,
+                     std::span<const std::byte> samples, std::span<float> heights) {
   switch (layout.type) {
     case SampleType::u8:
       return convert<std::uint8_t>(layout, nodata, samples, heights);
@@ -78,30 +91,38 @@ double convert_samples(const RasterLayout& layout, const NodataRange& nodata,
       return convert<std::uint16_t>(layout, nodata, samples, heights);
     case SampleType::i16:
       return convert<std::int16_t>(layout, nodata, samples, heights);
+    default:
+      return convert<float>(layout, nodata, samples, heights);
+  }
+}
+
+void convert_samples(const RasterLayout& layout, const NodataRange& nodata,
+                     std::span<const std::byte> samples, std::span<double> heights) {
+  switch (layout.type) {
     case SampleType::u32:
       return convert<std::uint32_t>(layout, nodata, samples, heights);
     case SampleType::i32:
       return convert<std::int32_t>(layout, nodata, samples, heights);
-    case SampleType::f32:
-      return convert<float>(layout, nodata, samples, heights);
-    case SampleType::f64:
+    case SampleType::u64:
+      return convert<std::uint64_t>(layout, nodata, samples, heights);
+    case SampleType::i64:
+      return convert<std::int64_t>(layout, nodata, samples, heights);
+    default:
       return convert<double>(layout, nodata, samples, heights);
   }
-  return 0;
 }
 
-std::optional<std::size_t> first_infinite(std::span<const float> heights) {
-  bool any = false;
-  for (const float h : heights) any |= std::abs(h) > std::numeric_limits<float>::max();
-  if (!any) return std::nullopt;
-  const auto found = std::ranges::find_if(heights, [](float h) { return std::isinf(h); });
-  return static_cast<std::size_t>(found - heights.begin());
+std::optional<std::size_t> first_unusable(std::span<const float> heights) {
+  return first_beyond(heights, std::numeric_limits<float>::max());
 }
 
-void refuse_infinite(const std::string& source, std::uint64_t column, std::uint64_t row) {
+std::optional<std::size_t> first_unusable(std::span<const double> heights) {
+  return first_beyond(heights, largest_height);
+}
+
+void refuse_height(const std::string& source, std::uint64_t column, std::uint64_t row) {
   throw InputError(source + ", column " + std::to_string(column) + ", row " + std::to_string(row),
-                   "the height is infinite, or too large for a float",
-                   "correct it, or name it as the value of no data");
+                   unusable_height, unusable_height_remedy);
 }
 
 }  // namespace lepp

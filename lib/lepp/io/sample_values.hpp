@@ -1,45 +1,56 @@
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "lepp/io/raster_layout.hpp"
 
 namespace lepp {
 
-/// The nearest float, or an infinity.
-inline float to_float(double value) {
-  constexpr double limit = 0x1.ffffffp127;  // from here on the nearest float would be 2^128
-  if (value >= limit) return std::numeric_limits<float>::infinity();
-  if (value <= -limit) return -std::numeric_limits<float>::infinity();
-  return static_cast<float>(value);
-}
-
-/// Which heights mean that there is none: one value, as it is and as the nearest float; of values
-/// beyond 1e30, which are no heights, also what a text with seven digits made of it.
+/// Which values mean that there is no height: one, compared in the type of the file (of floats the
+/// one that is nearest to it); of values beyond 1e30, which are no heights, also what a text with
+/// seven digits made of it.
 struct NodataRange {
   float low = 1, high = -1;  // empty
-  double exact = std::numeric_limits<double>::quiet_NaN();
+  double low_wide = 1, high_wide = -1;
 
   explicit NodataRange(std::optional<double> nodata);
-  /// For heights that floats hold.
-  bool has(float height) const { return low <= height && height <= high; }
+  bool has(float value) const { return low <= value && value <= high; }
+  bool has(double value) const { return low_wide <= value && value <= high_wide; }
+  bool has(std::integral auto value) const { return has(static_cast<double>(value)); }
 };
 
-/// Turns samples into floats, NaN where there is no data.
-/// \return  the largest |sample - height|
-double convert_samples(const RasterLayout& layout, const NodataRange& nodata,
-                       std::span<const std::byte> samples, std::span<float> heights);
+/// Turns samples into heights, NaN where there is no data; infinite where a height has more than 53
+/// bits. \pre gives_floats(layout.type)
+void convert_samples(const RasterLayout& layout, const NodataRange& nodata,
+                     std::span<const std::byte> samples, std::span<float> heights);
+/// The same for the other types.
+void convert_samples(const RasterLayout& layout, const NodataRange& nodata,
+                     std::span<const std::byte> samples, std::span<double> heights);
 
-/// The index of the first height that is infinite, if there is one.
-std::optional<std::size_t> first_infinite(std::span<const float> heights);
+/// A whole number as a height, infinite if doubles of its size are not all the whole numbers there.
+double height_of_integer(std::integral auto value) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  const bool is_exact = std::cmp_less_equal(-most, value) && std::cmp_less_equal(value, most);
+  return is_exact ? static_cast<double>(value) : std::numeric_limits<double>::infinity();
+}
 
-/// \throw InputError  about an infinite height at this place of the file
-[[noreturn]] void refuse_infinite(const std::string& source, std::uint64_t column,
-                                  std::uint64_t row);
+/// The index of the first height that is infinite or too large, if there is one.
+std::optional<std::size_t> first_unusable(std::span<const float> heights);
+std::optional<std::size_t> first_unusable(std::span<const double> heights);
+
+inline constexpr const char* unusable_height =
+    "the height is infinite, larger than 1.6e60, or a whole number of more than 53 bits";
+inline constexpr const char* unusable_height_remedy =
+    "correct it, or name it as the value of no data";
+
+/// \throw InputError  about an unusable height at this place of the file
+[[noreturn]] void refuse_height(const std::string& source, std::uint64_t column, std::uint64_t row);
 
 }  // namespace lepp

@@ -49,11 +49,9 @@ class TextHeights {
   }
 
   void store(double value) {
-    const float height = to_float(value);
-    const bool none = nodata_.has(height) || std::isnan(height);
-    if (!none && std::isinf(height)) refuse_infinite(stream_.where(), column_, row_);
-    grid_.heights.push_back(none ? std::numeric_limits<float>::quiet_NaN() : height);
-    if (!none) grid_.rounding = std::max(grid_.rounding, std::abs(value - double(height)));
+    const bool none = nodata_.has(value) || std::isnan(value);
+    if (!none && std::abs(value) > largest_height) refuse_height(stream_.where(), column_, row_);
+    grid_.heights.push_back(none ? std::numeric_limits<double>::quiet_NaN() : value);
   }
 
   // Lines may hold parts of a row or whole rows, but no row may begin inside a line that began

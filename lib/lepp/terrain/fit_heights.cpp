@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "lepp/terrain/hard_heights.hpp"
 #include "lepp/terrain/sample_space.hpp"
@@ -41,15 +42,22 @@ class Weight {
 
 // The least squares problem: the sum over samples of (H - sum of weights * heights)^2 has a sparse
 // matrix with an entry for each vertex and each edge. Edges are kept by triangle, each side's
-// samples in one of its two.
+// samples in one of its two. Heights are looked at from a corner of each triangle: far from 0 their
+// differences are exact, or nearly so, where sums are not.
+template <class Height>
 class Fit {
  public:
-  Fit(const HeightGrid& grid, Tin& tin, const FitOptions& options)
-      : grid_(grid), tin_(tin), options_(options), space_(grid), spans_(grid) {
+  Fit(const HeightGrid& grid, std::span<const Height> heights, Tin& tin, const FitOptions& options)
+      : grid_(grid),
+        heights_(heights),
+        tin_(tin),
+        options_(options),
+        space_(grid),
+        spans_(grid),
+        diagonal_(tin.heights.size()),
+        rest_(tin.heights.size()),
+        across_(tin.mesh.triangle_count()) {
     list_stars();
-    diagonal_.resize(tin.heights.size());
-    right_.resize(tin.heights.size());
-    across_.resize(tin.mesh.triangle_count());
     for (std::size_t i = 0; i < across_.size(); ++i) add_triangle(TriangleId(i));
   }
 
@@ -67,6 +75,11 @@ class Fit {
   }
 
  private:
+  struct Corners {
+    double base;  // heights are above this
+    std::array<TerrainCorner, 3> at;
+  };
+
   // A vertex with several fans has all of their triangles.
   void list_stars() {
     const Mesh& mesh = tin_.mesh;
@@ -84,31 +97,36 @@ class Fit {
     }
   }
 
-  std::array<TerrainCorner, 3> corners(TriangleId t) const {
-    std::array<TerrainCorner, 3> corners;
+  std::span<const TriangleId> star(VertexId v) const {
+    const std::size_t first = first_[v.index()];
+    return std::span(star_).subspan(first, first_[v.index() + 1] - first);
+  }
+
+  Corners corners(TriangleId t) const {
+    Corners corners;
+    corners.base = tin_.heights[tin_.mesh.vertex(t, 0).index()];
     for (std::uint32_t k = 0; k < 3; ++k) {
       const VertexId v = tin_.mesh.vertex(t, k);
-      corners[k] = space_.corner(tin_.mesh.point(v), tin_.heights[v.index()]);
+      corners.at[k] = space_.corner(tin_.mesh.point(v), tin_.heights[v.index()] - corners.base);
     }
     return corners;
   }
 
-  const float* heights(const ScanSpan& span) const {
-    return &grid_.heights[grid_.index(span.first, grid_.row_of_line(span.line))];
+  const Height* samples(const ScanSpan& span) const {
+    return &heights_[grid_.index(span.first, grid_.row_of_line(span.line))];
   }
 
   void add_triangle(TriangleId t) {
-    const std::array<TerrainCorner, 3> at = corners(t);
+    const auto [base, at] = corners(t);
     const std::array<Weight, 3> weights = {Weight(at, 0), Weight(at, 1), Weight(at, 2)};
-    spans_(at, [&](const ScanSpan& span) {
-      const float* heights = this->heights(span);
-      for (std::uint32_t column = span.first; column <= span.last; ++column) {
-        const double height = heights[column - span.first];
-        if (std::isnan(height)) continue;
+    spans_(at, [&, base = base](const ScanSpan& span) {
+      const Height* const samples = this->samples(span);
+      for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+        const double off = (samples[i] - base) - (span.height + span.slope * i);
+        if (std::isnan(off)) continue;
         std::array<double, 3> w;
-        for (std::size_t k = 0; k < 3; ++k) w[k] = weights[k](column, span.line);
-        if (is_counted(t, w))
-          add_sample(t, w, height, span.height + span.slope * (column - span.first));
+        for (std::size_t k = 0; k < 3; ++k) w[k] = weights[k](span.first + i, span.line);
+        if (is_counted(t, w)) add_sample(t, w, off);
       }
       return true;
     });
@@ -118,7 +136,7 @@ class Fit {
   // of its star.
   bool is_counted(TriangleId t, const std::array<double, 3>& w) const {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      if (w[k] > 1 - no_weight) return star_[first_[tin_.mesh.vertex(t, k).index()]] == t;
+      if (w[k] > 1 - no_weight) return star(tin_.mesh.vertex(t, k)).front() == t;
     }
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (w[k] >= no_weight) continue;
@@ -128,14 +146,14 @@ class Fit {
     return true;
   }
 
-  void add_sample(TriangleId t, const std::array<double, 3>& w, double height, double found) {
+  void add_sample(TriangleId t, const std::array<double, 3>& w, double off) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::size_t v = tin_.mesh.vertex(t, k).index();
       diagonal_[v] += w[k] * w[k];
-      right_[v] += w[k] * height;
-      across_[t.index()][k] += w[(k + 1) % 3] * w[(k + 2) % 3];
+      rest_[v] += w[k] * off;
+      across_[t.index()][k] += w[next_corner(k)] * w[previous_corner(k)];
     }
-    squares_ += (height - found) * (height - found);
+    squares_ += off * off;
   }
 
   // Moves one height to where the sum is least, or as far towards it as the bound allows.
@@ -143,25 +161,22 @@ class Fit {
   double improve(VertexId v) {
     const std::size_t i = v.index();
     if (diagonal_[i] == 0 || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
-    double rest = right_[i] - diagonal_[i] * tin_.heights[i];
-    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) rest -= from_neighbours(star_[k], v);
-    const double best = rest / diagonal_[i];
+    const double best = rest_[i] / diagonal_[i];
     double step = best;
-    for (std::size_t k = first_[i]; k < first_[i + 1] && step != 0; ++k) {
-      step = allowed(star_[k], v, step);
-    }
+    for (const TriangleId t : star(v)) step = step == 0 ? 0 : allowed(t, v, step);
+    if (step == 0) return 0;
     tin_.heights[i] += step;
+    rest_[i] -= diagonal_[i] * step;
+    for (const TriangleId t : star(v)) tell_neighbours(t, v, step);
     return diagonal_[i] * step * (2 * best - step);
   }
 
-  double from_neighbours(TriangleId t, VertexId v) const {
+  void tell_neighbours(TriangleId t, VertexId v, double step) {
     const std::uint32_t k = corner_of(t, v);
     const std::uint32_t next = next_corner(k), previous = previous_corner(k);
-    const auto height = [&](std::uint32_t c) {
-      return tin_.heights[tin_.mesh.vertex(t, c).index()];
-    };
     const std::array<double, 3>& across = across_[t.index()];
-    return across[previous] * height(next) + across[next] * height(previous);
+    rest_[tin_.mesh.vertex(t, next).index()] -= across[previous] * step;
+    rest_[tin_.mesh.vertex(t, previous).index()] -= across[next] * step;
   }
 
   std::uint32_t corner_of(TriangleId t, VertexId v) const {
@@ -172,15 +187,15 @@ class Fit {
   // How much of a step no sample of the triangle forbids. One that is beyond the bound already, by
   // rounding or because it was so, only must not come farther off.
   double allowed(TriangleId t, VertexId v, double step) const {
-    const std::array<TerrainCorner, 3> at = corners(t);
+    const auto [base, at] = corners(t);
     const Weight weight(at, corner_of(t, v));
     const double sign = step > 0 ? 1 : -1;
     double length = std::abs(step);
-    spans_(at, [&](const ScanSpan& span) {
-      const float* heights = this->heights(span);
+    spans_(at, [&, base = base](const ScanSpan& span) {
+      const Height* const samples = this->samples(span);
       const double start = weight(span.first, span.line);
       for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-        const double above = sign * (span.height + span.slope * i - heights[i]);
+        const double above = sign * (span.height + span.slope * i - (samples[i] - base));
         const double w = start + weight.per_column() * i;
         if (!(above + w * length > options_.max_error) || w < no_weight) continue;
         length = std::max(0.0, (options_.max_error - above) / w);
@@ -191,21 +206,22 @@ class Fit {
   }
 
   const HeightGrid& grid_;
+  std::span<const Height> heights_;
   Tin& tin_;
   const FitOptions& options_;
   SampleSpace space_;
   TriangleSpans spans_;
-  std::vector<std::size_t> first_;  // by vertex, into star_
-  std::vector<TriangleId> star_;
-  std::vector<double> diagonal_, right_;       // by vertex
+  std::vector<double> diagonal_, rest_;        // by vertex: entry, and sum of weight * (H - H*)
   std::vector<std::array<double, 3>> across_;  // by triangle: entry of the side across a corner
+  std::vector<std::size_t> first_;             // by vertex, into star_
+  std::vector<TriangleId> star_;
   double squares_ = 0;
 };
 
 }  // namespace
 
 std::size_t fit_heights(const HeightGrid& grid, Tin& tin, const FitOptions& options) {
-  return Fit(grid, tin, options).run();
+  return grid.heights.visit([&](auto heights) { return Fit(grid, heights, tin, options).run(); });
 }
 
 std::vector<bool> fixed_vertices(const HeightGrid& grid, const TerrainDomain& domain,

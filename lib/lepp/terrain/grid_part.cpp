@@ -65,10 +65,10 @@ GridPart part_of(const HeightGrid& around, const GridWindow& window) {
   grid.rows = window.rows;
   grid.heights.reserve(grid.size());
   for (std::uint32_t row = 0; row < window.rows; ++row) {
-    const float* const first = &around.heights[around.index(window.column, window.row + row)];
-    grid.heights.insert(grid.heights.end(), first, first + window.columns);
+    const std::size_t first = around.index(window.column, window.row + row);
+    around.heights.visit(
+        [&](auto all) { grid.heights.append(all.subspan(first, window.columns)); });
   }
-  grid.rounding = around.rounding;
   grid.origin = {around.origin.x + window.column * around.step_x,
                  around.origin.y + window.row * around.step_y};
   grid.step_x = around.step_x;
@@ -119,7 +119,7 @@ void leave_to_neighbours(GridPart& part) {
     look(east, line);
   }
   // Only now: what is covered does not depend on the order.
-  for (const std::size_t i : left) grid.heights[i] = std::numeric_limits<float>::quiet_NaN();
+  for (const std::size_t i : left) grid.heights.set(i, std::numeric_limits<double>::quiet_NaN());
 }
 
 namespace {

@@ -45,8 +45,8 @@ double of_nearest(const HeightGrid& grid, const CellPlace& place) {
   double nearest = none, least = std::numeric_limits<double>::infinity();
   const auto look = [&](std::int64_t column, std::int64_t line) {
     if (column < 0 || column >= columns || line < 0 || line >= rows) return;
-    const float height = grid.height(static_cast<std::uint32_t>(column),
-                                     grid.row_of_line(static_cast<std::uint32_t>(line)));
+    const double height = grid.height(static_cast<std::uint32_t>(column),
+                                      grid.row_of_line(static_cast<std::uint32_t>(line)));
     const double dx = double(column) - x, dy = (double(line) - y) * aspect;
     const double distance = dx * dx + dy * dy;
     if (std::isnan(height) || distance >= least) return;
@@ -75,9 +75,11 @@ double height_at(const HeightGrid& grid, Point p) {
   const CellPlace place = cell_place(grid, p);
   const auto [column, line, u, v] = place;
   const std::uint32_t east = u > 0 ? 1 : 0, north = v > 0 ? 1 : 0;  // 0: on the line itself
-  const float* const south_row = &grid.heights[grid.index(column, grid.row_of_line(line))];
-  const float* const north_row = &grid.heights[grid.index(column, grid.row_of_line(line + north))];
-  const std::array<double, 4> h = {south_row[0], south_row[east], north_row[0], north_row[east]};
+  const std::uint32_t south_row = grid.row_of_line(line);
+  const std::uint32_t north_row = grid.row_of_line(line + north);
+  const std::array<double, 4> h = {
+      grid.height(column, south_row), grid.height(column + east, south_row),
+      grid.height(column, north_row), grid.height(column + east, north_row)};
   const double bilinear = between(between(h[0], h[1], u), between(h[2], h[3], u), v);
   if (!std::isnan(bilinear)) return bilinear;
   if (east != 0 && north != 0) {

@@ -1,11 +1,18 @@
 #include "lepp/terrain/height_grid.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
 
 namespace lepp {
+
+bool HeightGrid::has_any_data() const {
+  return heights.visit([](auto all) {
+    return std::ranges::any_of(all, [](auto height) { return !std::isnan(height); });
+  });
+}
 
 void set_cell_from_degrees(HeightGrid& grid) {
   constexpr double radian = std::numbers::pi / 180;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lepp/geometry/point.hpp"
+#include "lepp/terrain/heights.hpp"
 
 namespace lepp {
 
@@ -23,9 +24,7 @@ namespace lepp {
 /// exactly collinear whatever the cell is like, and all predicates are fast.
 struct HeightGrid {
   std::uint32_t columns = 0, rows = 0;
-  std::vector<float> heights;  ///< row by row, row 0 first; NaN where there is no data
-  /// Largest |height of the file - height here|: 0 unless the file's numbers are not floats.
-  double rounding = 0;
+  Heights heights;  ///< row by row, row 0 first; NaN where there is no data
 
   Point origin;                ///< world coordinates of sample (0, 0): pixel centres
   double step_x = 1;           ///< world distance from column to column, > 0
@@ -51,12 +50,13 @@ struct HeightGrid {
   std::size_t index(std::uint32_t column, std::uint32_t row) const {
     return std::size_t{row} * columns + column;
   }
-  float height(std::uint32_t column, std::uint32_t row) const {
+  double height(std::uint32_t column, std::uint32_t row) const {
     return heights[index(column, row)];
   }
   bool has_data(std::uint32_t column, std::uint32_t row) const {
     return !std::isnan(height(column, row));
   }
+  bool has_any_data() const;
 
   /// The row of the file that is `line` lines north of the southern one, and back.
   std::uint32_t row_of_line(std::uint32_t line) const {

@@ -1,22 +1,28 @@
 #include "lepp/terrain/levels.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <span>
+#include <type_traits>
 
 namespace lepp {
 
-namespace {
-
-double largest_height(const HeightGrid& grid) {
-  float largest = 0;
-  for (const float h : grid.heights) largest = std::abs(h) > largest ? std::abs(h) : largest;
-  return largest;
+double interpolation_rounding(const HeightGrid& grid) {
+  constexpr double part = 0x1p-50, of_denormals = 0x1p-1060;
+  return grid.heights.visit([]<class Height>(std::span<const Height> heights) {
+    Height low = std::numeric_limits<Height>::max(), high = -low;
+    for (const Height h : heights) {
+      low = h < low ? h : low;  // false for NaN
+      high = h > high ? h : high;
+    }
+    const bool is_double = std::is_same_v<Height, double>;
+    const double largest = is_double ? high - low : std::max(-double(low), double(high));
+    return part * std::max(largest, 0.0) + of_denormals;
+  });
 }
 
-}  // namespace
-
 Levels::Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report)
-    : grid_(grid), options_(options), report_(report), rounding_(0x1p-44 * largest_height(grid)) {}
+    : grid_(grid), options_(options), report_(report), rounding_(interpolation_rounding(grid)) {}
 
 double Levels::error() const {
   const auto& errors = options_.level_errors;

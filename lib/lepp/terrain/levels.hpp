@@ -14,10 +14,12 @@ class Levels {
  public:
   Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report);
 
-  /// The error at which the level in hand ends, and the whole run. A trifle above what was asked
-  /// for: two ways of interpolating differ by as much.
+  /// The error at which the level in hand ends, and the whole run: interpolation_rounding()
+  /// above what was asked for.
   double error() const;
   double last_error() const { return raised(options_.max_error); }
+  /// True if a TIN with this error is what the run was asked for.
+  bool is_kept(double error) const { return error <= kept_error(options_.max_error, rounding_); }
   /// The number of vertices at which the level in hand ends.
   std::size_t vertices() const;
 

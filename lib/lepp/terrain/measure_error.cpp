@@ -3,7 +3,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 #include "lepp/terrain/simplify.hpp"
@@ -18,7 +21,10 @@ constexpr double on_side = 1e-7;
 
 class SampleSet {
  public:
+  static constexpr std::size_t bits = 64;  // of a word
   explicit SampleSet(std::size_t size) : words_((size + 63) / 64, 0) {}
+  /// Of the word that begins with sample `first`.
+  bool contains_all(std::size_t first) const { return words_[first / 64] == ~std::uint64_t{0}; }
   bool contains(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1U) != 0; }
   void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
   void add(std::size_t first, std::size_t end) {
@@ -31,6 +37,36 @@ class SampleSet {
   std::vector<std::uint64_t> words_;
 };
 
+// Two doubles at a time, as every machine of today does; compilers do not see that for themselves,
+// because the order in which a maximum is taken matters where there are NaNs.
+using Pair = double __attribute__((vector_size(16)));
+using FloatPair = float __attribute__((vector_size(8)));
+using Bits = std::int64_t __attribute__((vector_size(16)));
+
+template <class Height>
+Pair pair_of(const Height* heights) {
+  std::conditional_t<std::is_same_v<Height, float>, FloatPair, Pair> pair;
+  std::memcpy(&pair, heights, sizeof pair);
+  return __builtin_convertvector(pair, Pair);
+}
+
+// How far samples are off; NaNs are passed over, as they compare false.
+class Spread {
+ public:
+  void add(Pair off) {
+    high_ = off > high_ ? off : high_;
+    low_ = off < low_ ? off : low_;
+    squares_ += reinterpret_cast<Pair>(reinterpret_cast<Bits>(off * off) & (off == off));
+  }
+  double highest() const { return std::max(high_[0], high_[1]); }
+  double lowest() const { return std::min(low_[0], low_[1]); }
+  double sum_of_squares() const { return squares_[0] + squares_[1]; }
+
+ private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  Pair high_{-infinite, -infinite}, low_{infinite, infinite}, squares_{0, 0};
+};
+
 // Column and row of the file, and a height.
 struct Vertex {
   double x, y, z;
@@ -38,9 +74,11 @@ struct Vertex {
 
 // One triangle after the other, one row of samples after the other. Shares nothing with the
 // simplification but the grid, so that a mistake there cannot hide here.
+template <class Height>
 class Measure {
  public:
-  Measure(const HeightGrid& grid, const Tin& tin) : grid_(grid), seen_(grid.size()) {
+  Measure(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin)
+      : grid_(grid), heights_(heights), seen_(grid.size()) {
     error_.highest = -std::numeric_limits<double>::infinity();
     error_.lowest = std::numeric_limits<double>::infinity();
     for (const Triangle& t : tin.mesh.triangles()) {
@@ -107,6 +145,7 @@ class Measure {
     const double first = std::max(0.0, std::ceil(left - on_side));
     const double last = std::min<double>(std::floor(right + on_side), grid_.columns - 1);
     if (first > last) return;
+    base_ = v[0].z;
     height_ = height_at_column(v, twice_area, left, y);
     left_ = left;
     right_ = right;
@@ -117,10 +156,10 @@ class Measure {
   static double height_at_column(const std::array<Vertex, 3>& v, double twice_area, double x,
                                  double y) {
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 1; i < 3; ++i) {
       const Vertex& a = v[(i + 1) % 3];
       const Vertex& b = v[(i + 2) % 3];
-      sum += ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) * v[i].z;
+      sum += ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) * (v[i].z - v[0].z);
     }
     return sum / twice_area;
   }
@@ -146,7 +185,7 @@ class Measure {
   void add_on_side(std::uint32_t column, std::uint32_t row) {
     const std::size_t i = grid_.index(column, row);
     const double height = height_ + slope_ * (std::clamp<double>(column, left_, right_) - left_);
-    const double off = static_cast<double>(grid_.heights[i]) - height;
+    const double off = (heights_[i] - base_) - height;
     if (!std::isnan(off)) {
       if (!seen_.contains(i)) sum_of_squares_ += off * off;
       note(off, column, row);
@@ -155,38 +194,40 @@ class Measure {
   }
 
   void add_inside(std::uint32_t from, std::uint32_t to, std::uint32_t row) {
-    constexpr std::size_t lanes = 4;
-    const float* heights = &grid_.heights[grid_.index(from, row)];
+    const Height* const heights = &heights_[grid_.index(from, row)];
+    fetch_ahead(heights, to - from, row);
     const double start = height_ + slope_ * (from - left_);
     const std::size_t n = to - from;
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    double high[lanes] = {-infinite, -infinite, -infinite, -infinite};
-    double low[lanes] = {infinite, infinite, infinite, infinite};
-    double squares[lanes] = {};
-    double at[lanes] = {0, 1, 2, 3};
-    const auto take = [&](std::size_t i, std::size_t k, double x) {
-      const double off = static_cast<double>(heights[i]) - (start + slope_ * x);
-      high[k] = off > high[k] ? off : high[k];  // false for NaN
-      low[k] = off < low[k] ? off : low[k];
-      squares[k] += off == off ? off * off : 0;
+    const auto off_at = [&](std::size_t i) {
+      return (heights[i] - base_) - (start + slope_ * static_cast<double>(i));
     };
+    const Pair base{base_, base_}, starts{start, start}, slopes{slope_, slope_}, step{4, 4};
+    Pair at_first{0, 1}, at_second{2, 3};
+    Spread first, second;
     std::size_t i = 0;
-    for (; i + lanes <= n; i += lanes) {
-      for (std::size_t k = 0; k < lanes; ++k) {
-        take(i + k, k, at[k]);
-        at[k] += lanes;
-      }
+    for (; i + 4 <= n; i += 4) {
+      first.add((pair_of(heights + i) - base) - (starts + slopes * at_first));
+      second.add((pair_of(heights + i + 2) - base) - (starts + slopes * at_second));
+      at_first += step;
+      at_second += step;
     }
-    for (; i < n; ++i) take(i, 0, static_cast<double>(i));
-    sum_of_squares_ += squares[0] + squares[1] + squares[2] + squares[3];
-    const double highest = *std::max_element(high, high + lanes);
-    const double lowest = *std::min_element(low, low + lanes);
+    for (; i < n; ++i) first.add(Pair{off_at(i), std::numeric_limits<double>::quiet_NaN()});
+    sum_of_squares_ += first.sum_of_squares() + second.sum_of_squares();
+    const double highest = std::max(first.highest(), second.highest());
+    const double lowest = std::min(first.lowest(), second.lowest());
     if (!(highest > error_.highest || lowest < error_.lowest)) return;
     for (std::size_t k = 0; k < n; ++k) {
-      const double off =
-          static_cast<double>(heights[k]) - (start + slope_ * static_cast<double>(k));
-      if (!std::isnan(off)) note(off, from + static_cast<std::uint32_t>(k), row);
+      if (const double off = off_at(k); !std::isnan(off))
+        note(off, from + static_cast<std::uint32_t>(k), row);
     }
+  }
+
+  // Rows are far from each other in memory: what comes two rows later is asked for now.
+  void fetch_ahead(const Height* heights, std::size_t n, std::uint32_t row) const {
+    constexpr std::size_t cache_line = 64 / sizeof(Height);
+    if (row + 2 >= grid_.rows) return;
+    const Height* const later = heights + 2 * std::size_t{grid_.columns};
+    for (std::size_t k = 0; k < n; k += cache_line) __builtin_prefetch(later + k);
   }
 
   void note(double off, std::uint32_t column, std::uint32_t row) {
@@ -200,8 +241,18 @@ class Measure {
   }
 
   void count_samples() {
-    for (std::size_t i = 0; i < grid_.size(); ++i) {
-      const bool seen = seen_.contains(i), data = !std::isnan(grid_.heights[i]);
+    for (std::size_t first = 0; first < grid_.size(); first += SampleSet::bits) {
+      const std::size_t count = std::min(SampleSet::bits, grid_.size() - first);
+      std::size_t data = 0;
+      for (std::size_t k = 0; k < count; ++k) data += std::isnan(heights_[first + k]) ? 0 : 1;
+      if (data == count && seen_.contains_all(first)) error_.samples += count;
+      else count_one_by_one(first, first + count);
+    }
+  }
+
+  void count_one_by_one(std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      const bool seen = seen_.contains(i), data = !std::isnan(heights_[i]);
       error_.samples += seen && data ? 1 : 0;
       error_.lost += !seen && data ? 1 : 0;
       error_.covered += seen && !data ? 1 : 0;
@@ -209,17 +260,19 @@ class Measure {
   }
 
   const HeightGrid& grid_;
+  std::span<const Height> heights_;
   SampleSet seen_;
   TerrainError error_;
   double sum_of_squares_ = 0;
   // Of the row in hand: where it enters and leaves the triangle, how high it enters, and how steep.
-  double left_ = 0, right_ = 0, height_ = 0, slope_ = 0;
+  // Heights are those above the first corner: then little is rounded where all are far from 0.
+  double left_ = 0, right_ = 0, base_ = 0, height_ = 0, slope_ = 0;
 };
 
 }  // namespace
 
 TerrainError measure_error(const HeightGrid& grid, const Tin& tin) {
-  return Measure(grid, tin).result();
+  return grid.heights.visit([&](auto heights) { return Measure(grid, heights, tin).result(); });
 }
 
 }  // namespace lepp

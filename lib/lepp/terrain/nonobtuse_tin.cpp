@@ -74,7 +74,8 @@ class Work {
        const NonobtuseTinOptions& options)
       : grid_(grid), options_(options), frame_(grid), tin_(std::move(tin)) {
     const auto [low, high] = std::ranges::minmax(tin_.heights);
-    tolerance_ = rounding_in_world * (high - low) + 1e-12 * std::max(-low, high);
+    most_error_ = kept_error(options.max_error, interpolation_rounding(grid)) +
+                  rounding_in_world * (high - low);
     for (std::size_t i = 0; i < domain.fixed_heights.size(); ++i) {
       const double height = domain.fixed_heights[i];
       if (!std::isnan(height)) hard_.emplace(domain.pslg.points[i], height);
@@ -146,9 +147,7 @@ class Work {
 
   // Of the very triangles that the result has: where four corners are on a circle but for rounding,
   // those in grid space could be others.
-  bool is_error_kept() const {
-    return measure_error(grid_, tin_).max <= options_.max_error * (1 + 1e-9) + tolerance_;
-  }
+  bool is_error_kept() const { return measure_error(grid_, tin_).max <= most_error_; }
 
   // True if there was a sample to insert.
   bool insert_samples() {
@@ -186,7 +185,7 @@ class Work {
   const HeightGrid& grid_;
   const NonobtuseTinOptions& options_;
   Frame frame_;
-  double tolerance_ = 0;
+  double most_error_ = 0;
   Tin tin_;        // in grid space, but while it is refined
   Mesh in_frame_;  // the same, as refine() left it
   std::map<Point, double> hard_;

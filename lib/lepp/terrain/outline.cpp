@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "lepp/terrain/fill_notches.hpp"
 #include "lepp/terrain/outline_edges.hpp"
@@ -41,10 +42,10 @@ void for_each_bit(Word word, std::size_t index, Visit visit) {
 }
 
 // Which samples of a line have data.
-void read_line(const HeightGrid& grid, std::uint32_t line, Bits& bits) {
-  const float* const heights = &grid.heights[grid.index(0, grid.row_of_line(line))];
-  for (std::size_t i = 0; 64 * i < grid.columns; ++i) {
-    const std::size_t first = 64 * i, count = std::min<std::size_t>(64, grid.columns - first);
+template <class Height>
+void read_line(std::span<const Height> heights, Bits& bits) {
+  for (std::size_t i = 0; 64 * i < heights.size(); ++i) {
+    const std::size_t first = 64 * i, count = std::min<std::size_t>(64, heights.size() - first);
     bool any_without = false;
     for (std::size_t k = 0; k < count; ++k) any_without |= std::isnan(heights[first + k]);
     Word word = count == 64 ? ~Word{0} : (Word{1} << count) - 1;
@@ -53,6 +54,11 @@ void read_line(const HeightGrid& grid, std::uint32_t line, Bits& bits) {
     }
     bits[i] = word;
   }
+}
+
+void read_line(const HeightGrid& grid, std::uint32_t line, Bits& bits) {
+  const std::size_t first = grid.index(0, grid.row_of_line(line));
+  grid.heights.visit([&](auto all) { read_line(all.subspan(first, grid.columns), bits); });
 }
 
 // Walks over the lines of cells from the south, a word of 64 at a time.

@@ -33,7 +33,7 @@ class SampleSpace {
     return {snapped(p.x), snapped(aspect_ == 1 ? p.y : p.y / aspect_), height};
   }
   Point place(Sample s) const { return grid_.sample(s.column, s.line); }
-  float height(Sample s) const { return grid_.height(s.column, grid_.row_of_line(s.line)); }
+  double height(Sample s) const { return grid_.height(s.column, grid_.row_of_line(s.line)); }
   /// The sample nearest to a place.
   Sample nearest(Point p) const {
     return {whole(p.x, grid_.columns), whole(aspect_ == 1 ? p.y : p.y / aspect_, grid_.rows)};

@@ -58,6 +58,16 @@ struct SimplifyOptions {
   std::function<bool(std::size_t vertices)> progress = {};
 };
 
+/// Two ways of interpolating the heights of a grid differ by less than this, in practice. A run
+/// works until errors are at most that much above what was asked for, and is content with 16
+/// times it. Of doubles it is a part of their range, of floats one of the largest. Cost O(samples)
+double interpolation_rounding(const HeightGrid& grid);
+
+/// What an error is held to where `error` was asked for. \param rounding  as above
+inline double kept_error(double error, double rounding) {
+  return error * (1 + 1e-9) + 16 * rounding;
+}
+
 /// How far a TIN is from its grid, over all samples with data, those on the rim included.
 struct TerrainError {
   double max = 0;                     ///< largest |H - H*|

@@ -12,8 +12,8 @@ namespace {
 
 using Samples = std::vector<std::uint32_t>;
 
-bool is_close(std::span<const float> heights, std::uint32_t a, std::uint32_t b, double max_error) {
-  const double start = heights[a], rise = double(heights[b]) - start;
+bool is_close(std::span<const double> heights, std::uint32_t a, std::uint32_t b, double max_error) {
+  const double start = heights[a], rise = heights[b] - start;
   for (std::uint32_t i = a + 1; i < b; ++i) {
     const double line = start + rise * (double(i - a) / double(b - a));
     if (!(std::abs(line - heights[i]) <= max_error)) return false;
@@ -23,7 +23,7 @@ bool is_close(std::span<const float> heights, std::uint32_t a, std::uint32_t b, 
 
 // Halves pieces of the run a..b that are not close, or too long beside their neighbours, until none
 // is. Each may bring about the other, so both are asked in every turn.
-Samples pieces_of(std::span<const float> heights, std::uint32_t a, std::uint32_t b,
+Samples pieces_of(std::span<const double> heights, std::uint32_t a, std::uint32_t b,
                   double max_error) {
   Samples ends{a, b};
   for (bool changed = a < b;
@@ -50,7 +50,7 @@ Samples pieces_of(std::span<const float> heights, std::uint32_t a, std::uint32_t
 // One side of the grid: where its samples are.
 struct Side {
   Point start, step;
-  std::vector<float> heights;
+  std::vector<double> heights;
 
   Point place(std::size_t i) const { return start + double(i) * step; }
   // The index of a place on the side, whole where it is a sample.
@@ -141,7 +141,7 @@ class Borders {
 
 }  // namespace
 
-std::vector<std::uint32_t> border_samples(std::span<const float> heights, double max_error,
+std::vector<std::uint32_t> border_samples(std::span<const double> heights, double max_error,
                                           std::span<const std::uint32_t> corners) {
   Samples samples;
   const auto n = static_cast<std::uint32_t>(heights.size());

@@ -22,7 +22,7 @@ namespace lepp {
 ///                 leaves it (border_corners() in grid_part.hpp)
 /// \return  ascending indices; both ends of each run of samples with data are among them
 /// Cost     O(n log n)
-std::vector<std::uint32_t> border_samples(std::span<const float> heights, double max_error,
+std::vector<std::uint32_t> border_samples(std::span<const double> heights, double max_error,
                                           std::span<const std::uint32_t> corners = {});
 
 /// border_corners() of the sides, by GridSide.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 namespace lepp {
 
@@ -11,8 +12,8 @@ namespace {
 constexpr double many_lines = 64;
 constexpr std::int64_t lines_between = 8;
 
-double error_at(float height, double start, double slope, double i) {
-  return std::abs(static_cast<double>(height) - (start + slope * i));
+double error_at(double height, double start, double slope, double i) {
+  return std::abs(height - (start + slope * i));
 }
 
 // Two doubles at a time, as every machine of today does; compilers do not see that for themselves,
@@ -21,32 +22,56 @@ using Pair = double __attribute__((vector_size(16)));
 using FloatPair = float __attribute__((vector_size(8)));
 using Bits = std::int64_t __attribute__((vector_size(16)));
 
-Pair larger_error(Pair largest, const float* heights, Pair start, Pair slope, Pair at) {
+// Doubles are compared above a corner: far from 0 their differences are exact, or nearly so, where
+// sums are not. To floats, which end 29 bits earlier, that makes no difference.
+template <class Height>
+double base_of(const std::array<TerrainCorner, 3>& corners) {
+  return std::is_same_v<Height, double> ? corners[0].height : 0;
+}
+std::array<TerrainCorner, 3> above(double base, std::array<TerrainCorner, 3> corners) {
+  for (TerrainCorner& c : corners) c.height -= base;
+  return corners;
+}
+double above(double /*0*/, float height) { return height; }
+double above(double base, double height) { return height - base; }
+
+Pair pair_above(Pair /*0*/, const float* heights) {
   FloatPair pair;
   std::memcpy(&pair, heights, sizeof pair);
-  const Pair off = __builtin_convertvector(pair, Pair) - (start + slope * at);
+  return __builtin_convertvector(pair, Pair);
+}
+Pair pair_above(Pair base, const double* heights) {
+  Pair pair;
+  std::memcpy(&pair, heights, sizeof pair);
+  return pair - base;
+}
+
+template <class Height>
+Pair larger_error(Pair largest, const Height* heights, Pair base, Pair start, Pair slope, Pair at) {
+  const Pair off = pair_above(base, heights) - (start + slope * at);
   const Pair error = reinterpret_cast<Pair>(reinterpret_cast<Bits>(off) & INT64_MAX);
   return error > largest ? error : largest;  // false for NaN
 }
 
 // The largest error of n samples, 0 if none has data.
-double largest_of(const float* heights, std::size_t n, double start, double slope) {
+template <class Height>
+double largest_of(const Height* heights, std::size_t n, double base, double start, double slope) {
   constexpr std::size_t lanes = 4;
   double largest = 0;
   std::size_t i = 0;
   if (n >= 2 * lanes) {
-    const Pair starts{start, start}, slopes{slope, slope}, step{lanes, lanes};
+    const Pair bases{base, base}, starts{start, start}, slopes{slope, slope}, step{lanes, lanes};
     Pair low{0, 0}, high{0, 0}, at_low{0, 1}, at_high{2, 3};
     for (; i + lanes <= n; i += lanes) {
-      low = larger_error(low, heights + i, starts, slopes, at_low);
-      high = larger_error(high, heights + i + 2, starts, slopes, at_high);
+      low = larger_error(low, heights + i, bases, starts, slopes, at_low);
+      high = larger_error(high, heights + i + 2, bases, starts, slopes, at_high);
       at_low += step;
       at_high += step;
     }
     largest = std::max(std::max(low[0], low[1]), std::max(high[0], high[1]));
   }
   for (; i < n; ++i) {
-    const double error = error_at(heights[i], start, slope, static_cast<double>(i));
+    const double error = error_at(above(base, heights[i]), start, slope, static_cast<double>(i));
     largest = error > largest ? error : largest;
   }
   return largest;
@@ -65,48 +90,75 @@ bool is_corner(const std::array<TerrainCorner, 3>& corners, Sample s) {
          SampleSpace::is_at(corners[2], s);
 }
 
-}  // namespace
-
-double TriangleScan::largest_error(const ScanSpan& span) const {
-  return largest_of(heights(span), span.last - span.first + 1, span.height, span.slope);
+template <class Height>
+double largest_error(const Height* heights, double base, const ScanSpan& span) {
+  return largest_of(heights, span.last - span.first + 1, base, span.height, span.slope);
 }
 
+// True if a sample that is no corner is off by more than `limit`.
+template <class Height>
+bool has_other(const Height* heights, double base, const ScanSpan& span,
+               const std::array<TerrainCorner, 3>& corners, double limit) {
+  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+    if (error_at(above(base, heights[i]), span.height, span.slope, i) > limit &&
+        !is_corner(corners, {span.first + i, span.line})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 WorstSample TriangleScan::worst(const std::array<TerrainCorner, 3>& corners) const {
-  return worst_of_lines(corners, 1);
+  return grid_.heights.visit([&](auto heights) { return worst_of_lines(heights, corners, 1); });
 }
 
 WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners,
                                        double enough) const {
   const auto [low, high] = std::minmax({corners[0].line, corners[1].line, corners[2].line});
   if (high - low >= many_lines) {
-    const WorstSample some = worst_of_lines(corners, lines_between);
+    const WorstSample some = grid_.heights.visit(
+        [&](auto heights) { return worst_of_lines(heights, corners, lines_between); });
     if (some.error > enough) return some;
   }
-  return worst_of_lines(corners, 1);
+  return worst(corners);
 }
 
-WorstSample TriangleScan::worst_of_lines(const std::array<TerrainCorner, 3>& corners,
+template <class Height>
+WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
+                                         const std::array<TerrainCorner, 3>& corners,
                                          std::int64_t step) const {
   WorstSample worst;
+  const double base = base_of<Height>(corners);
   const auto note = [&](const ScanSpan& span) {
-    if (is_long(span) && !(largest_error(span) > worst.error)) return true;
+    const Height* const along = part(heights, span);
+    if (is_long(span) && !(largest_error(along, base, span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-      const double error = error_at(heights(span)[i], span.height, span.slope, i);
+      const double error = error_at(above(base, along[i]), span.height, span.slope, i);
       if (error > worst.error && !is_corner(corners, {span.first + i, span.line})) {
         worst = {error, {span.first + i, span.line}};
       }
     }
     return true;
   };
-  spans_(corners, note, step);
+  spans_(above(base, corners), note, step);
   return worst;
 }
 
 bool TriangleScan::is_within(const std::array<TerrainCorner, 3>& corners, double limit) const {
+  return grid_.heights.visit([&](auto heights) { return all_within(heights, corners, limit); });
+}
+
+template <class Height>
+bool TriangleScan::all_within(std::span<const Height> heights,
+                              const std::array<TerrainCorner, 3>& corners, double limit) const {
   bool within = true;
-  spans_(corners, [&](const ScanSpan& span) {
-    const bool suspect = !is_long(span) || largest_error(span) > limit;
-    within = !suspect || !has_other(span, corners, limit);
+  const double base = base_of<Height>(corners);
+  spans_(above(base, corners), [&](const ScanSpan& span) {
+    const Height* const along = part(heights, span);
+    const bool suspect = !is_long(span) || largest_error(along, base, span) > limit;
+    within = !suspect || !has_other(along, base, span, corners, limit);
     return within;
   });
   return within;
@@ -125,18 +177,6 @@ bool TriangleScan::is_within_at(const std::array<TerrainCorner, 3>& corners, con
   const double height =
       (at_a * a.height + at_b * b.height + at_c * c.height) / (at_a + at_b + at_c);
   return !(std::abs(s.height - height) > limit);
-}
-
-// True if a sample that is no corner is off by more than `limit`.
-bool TriangleScan::has_other(const ScanSpan& span, const std::array<TerrainCorner, 3>& corners,
-                             double limit) const {
-  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-    if (error_at(heights(span)[i], span.height, span.slope, i) > limit &&
-        !is_corner(corners, {span.first + i, span.line})) {
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace lepp

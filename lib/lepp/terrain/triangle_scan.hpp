@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "lepp/terrain/height_grid.hpp"
@@ -127,13 +128,16 @@ class TriangleScan {
                     double limit) const;
 
  private:
-  const float* heights(const ScanSpan& span) const {
-    return &grid_.heights[grid_.index(span.first, grid_.row_of_line(span.line))];
+  template <class Height>
+  const Height* part(std::span<const Height> heights, const ScanSpan& span) const {
+    return &heights[grid_.index(span.first, grid_.row_of_line(span.line))];
   }
-  WorstSample worst_of_lines(const std::array<TerrainCorner, 3>& corners, std::int64_t step) const;
-  double largest_error(const ScanSpan& span) const;
-  bool has_other(const ScanSpan& span, const std::array<TerrainCorner, 3>& corners,
-                 double limit) const;
+  template <class Height>
+  WorstSample worst_of_lines(std::span<const Height> heights,
+                             const std::array<TerrainCorner, 3>& corners, std::int64_t step) const;
+  template <class Height>
+  bool all_within(std::span<const Height> heights, const std::array<TerrainCorner, 3>& corners,
+                  double limit) const;
 
   const HeightGrid& grid_;
   TriangleSpans spans_;

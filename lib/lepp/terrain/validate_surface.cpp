@@ -10,6 +10,7 @@
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
+#include "lepp/terrain/simplify.hpp"
 
 namespace lepp {
 
@@ -27,7 +28,11 @@ double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 class Validator {
  public:
   Validator(const HeightGrid& grid, const Tin& tin, const SurfaceClaims& claims)
-      : grid_(grid), tin_(tin), mesh_(tin.mesh), claims_(claims) {}
+      : grid_(grid),
+        tin_(tin),
+        mesh_(tin.mesh),
+        claims_(claims),
+        rounding_(kept_error(0, interpolation_rounding(grid))) {}
 
   MeshReport run() {
     note_list();
@@ -95,7 +100,7 @@ class Validator {
       }
       case KeptBy::error: {
         const double most = std::max({claims_.bound, error(left), error(right)});
-        return std::max(error(low), error(high)) >= most * (1 - forgiven_error);
+        return std::max(error(low), error(high)) >= most * (1 - forgiven_error) - rounding_;
       }
     }
     return false;
@@ -149,17 +154,18 @@ class Validator {
   double error_at(const Corners& t, const std::array<Point, 3>& at, Point p) const {
     if (p.x < 0 || p.y < 0 || p.x > grid_.columns - 1 || p.y > grid_.rows - 1) return 0;
     const double whole = cross(at[1] - at[0], at[2] - at[0]);
-    double height = 0;
+    const double first = tin_.heights[t[0].index()];
+    double above_first = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point from = at[(i + 1) % 3], to = at[(i + 2) % 3];
       const double part = cross(to - from, p - from) / whole;
       if (part < -at_corner) return 0;
       if (std::abs(p.x - at[i].x) < at_corner && std::abs(p.y - at[i].y) < at_corner) return 0;
-      height += part * tin_.heights[t[i].index()];
+      above_first += part * (tin_.heights[t[i].index()] - first);
     }
-    const double off = grid_.height(static_cast<std::uint32_t>(p.x),
-                                    grid_.row_of_line(static_cast<std::uint32_t>(p.y))) -
-                       height;
+    const double height = grid_.height(static_cast<std::uint32_t>(p.x),
+                                       grid_.row_of_line(static_cast<std::uint32_t>(p.y)));
+    const double off = (height - first) - above_first;
     return std::isnan(off) ? 0 : std::abs(off);
   }
 
@@ -167,6 +173,7 @@ class Validator {
   const Tin& tin_;
   const Mesh& mesh_;
   const SurfaceClaims& claims_;
+  const double rounding_;  // of errors
   std::map<HalfEdge, KeptBy> listed_;
   std::map<std::string, std::size_t> per_rule_;
   MeshReport report_;
