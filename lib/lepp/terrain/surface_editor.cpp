@@ -13,6 +13,13 @@
 
 namespace lepp {
 
+namespace {
+
+// A line is cut at a sample if neither half is a shorter part of it than this.
+constexpr double shortest_part = 0.18;
+
+}  // namespace
+
 SurfaceEditor::SurfaceEditor(TerrainMesh& terrain, double plan_angle_deg)
     : terrain_(terrain),
       mesh_(terrain.mesh()),
@@ -48,10 +55,16 @@ bool SurfaceEditor::cut(HalfEdge e, double least) {
   const bool fan_at_a = fan_at(mesh_, e, mesh_.origin(e)).exists();
   const bool fan_at_b = fan_at(mesh_, e, mesh_.destination(e)).exists();
   if (fan_at_a != fan_at_b) return split_with_fan(e);
-  const Point middle = midpoint(a, b), near = terrain_.snapped(middle);
-  const bool takes_sample =
-      !terrain_.is_hard(e) && squared_distance(a, b) >= 9 && orient2d(a, b, near) == 0;
-  return split(e, takes_sample ? near : middle);
+  return split(e, sample_inside(e, 0.5).value_or(midpoint(a, b)));
+}
+
+std::optional<Point> SurfaceEditor::sample_inside(HalfEdge e, double part) const {
+  const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
+  const Point near = terrain_.snapped(a + std::clamp(part, 0.35, 0.65) * (b - a));
+  const double at = dot(near - a, b - a) / squared_distance(a, b);
+  const bool is_inside = at > shortest_part && at < 1 - shortest_part;
+  if (terrain_.is_hard(e) || !is_inside || orient2d(a, b, near) != 0) return std::nullopt;
+  return near;
 }
 
 bool SurfaceEditor::cut_at(HalfEdge e, Point p) { return terrain_.may_cut(e) && split(e, p); }

@@ -173,9 +173,8 @@ bool SurfaceLoop::cut_line_at(TriangleId t, Sample s) {
     if (twice_area * twice_area > on_line * on_line * squared_distance(a, b)) continue;
     if (terrain_.is_hard(e)) return true;
     const double part = dot(p - a, b - a) / squared_distance(a, b);
-    const Point near = terrain_.snapped(a + std::clamp(part, 0.35, 0.65) * (b - a));
-    const bool is_near = squared_distance(a, b) >= 9 && orient2d(a, b, near) == 0;
-    if (is_near && editor_.cut_at(e, near)) return true;
+    const auto near = editor_.sample_inside(e, part);
+    if (near && editor_.cut_at(e, *near)) return true;
     if (!editor_.cut_at(e, p)) editor_.cut_at(e, a + part * (b - a));
     return true;
   }
