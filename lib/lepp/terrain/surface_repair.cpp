@@ -166,7 +166,8 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
       }
     }
   }
-  return mesh_.is_constrained(terminal) && cut(t, terminal, least);
+  if (mesh_.is_constrained(terminal) && cut(t, terminal, least)) return true;
+  return insert_or_cut(t, off_centre, anything, editor_.floor());
 }
 
 bool SurfaceRepair::cut(TriangleId t, HalfEdge e, double least) {
