@@ -128,7 +128,7 @@ std::optional<TriangleId> SurfaceLoop::next(Targets& targets) {
 // metric of space; then small angles there.
 bool SurfaceLoop::take_turn() {
   if (const auto thin = next(thin_)) {
-    if (repair_.is_improvable(*thin)) repair_.improve(*thin, Kind::plan);
+    widen(*thin);
   } else if (const auto worst = heap_->top()) {
     reduce_error(*worst);
     if (!editor_.has_changed()) heap_->set(*worst, 0);
@@ -141,6 +141,14 @@ bool SurfaceLoop::take_turn() {
   }
   note_changes();
   return true;
+}
+
+// A cut elsewhere, or a vertex, may leave the triangle to be tried again.
+void SurfaceLoop::widen(TriangleId t) {
+  if (!repair_.is_improvable(t)) return;
+  const auto before = mesh_.vertices(t);
+  repair_.improve(t, Kind::plan);
+  if (editor_.has_changed() && mesh_.vertices(t) == before) add_if_thin(t);
 }
 
 // Thin triangles that come back although no vertex came or moved have been tried in vain. So there

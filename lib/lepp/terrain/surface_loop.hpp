@@ -77,6 +77,7 @@ class SurfaceLoop {
   void rescan_everywhere();
   bool may_go_on();
   bool take_turn();
+  void widen(TriangleId t);
   bool flip_back();
   void note_changes();
   void add_if_thin(TriangleId t);
