@@ -6,7 +6,6 @@
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
-#include "lepp/triangulation/split.hpp"
 
 namespace lepp {
 
@@ -70,7 +69,7 @@ bool SurfaceRepair::move_corner(TriangleId t, std::uint32_t corner, Kind kind, R
   for (const auto& side : star_.link) {
     most_error = std::max(most_error, terrain_.error(side.edge.triangle));
   }
-  for (const Point p : {terrain_.snapped(*place), in_supported_range(*place)}) {
+  for (const Point p : {terrain_.snapped(*place), terrain_.clear_of_samples(*place)}) {
     if (!sees_link(star_, p) || encroaches(p)) continue;
     const double after = badness_of_star(editor_.metric().at(p), kind);
     if (after > rung.badness || after >= before || error_of_star(p) > most_error) continue;
@@ -137,7 +136,7 @@ bool SurfaceRepair::insert_off_centre_in_space(TriangleId t) {
   const Point p =
       slope.to_plan(off_centre_(slope.to_plane(a), slope.to_plane(b), slope.to_plane(c)));
   const double before = editor_.metric().badness(t);
-  for (const Point q : {terrain_.snapped(p), in_supported_range(p)}) {
+  for (const Point q : {terrain_.snapped(p), terrain_.clear_of_samples(p)}) {
     if (!editor_.grow(t, q, TerrainMetric::surface)) continue;
     const SurfaceStar& star = editor_.star();
     if (star.encroached() || star.clearance() < editor_.clearance()) continue;
@@ -161,7 +160,7 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
       midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)));
   for (const double most : {before, anything}) {
     for (const Point p : {off_centre, middle}) {
-      for (const Point q : {terrain_.snapped(p), in_supported_range(p)}) {
+      for (const Point q : {terrain_.snapped(p), terrain_.clear_of_samples(p)}) {
         if (insert_or_cut(t, q, most, least)) return true;
       }
     }

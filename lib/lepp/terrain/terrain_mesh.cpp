@@ -24,6 +24,9 @@ namespace {
 // rounded, and twice as far stays clear of that.
 constexpr double on_line = 2 * same_place;
 
+// Of the smaller side of a cell.
+constexpr double near_sample = 1.0 / 64;
+
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
 
@@ -150,6 +153,12 @@ double TerrainMesh::height_of(Point p) const {
     return space_.height(s);
   }
   return height_at(grid_, p);
+}
+
+Point TerrainMesh::clear_of_samples(Point p) const {
+  const Point sample = snapped(p);
+  const double part = near_sample * std::min(1.0, grid_.aspect());
+  return squared_distance(p, sample) < part * part ? sample : in_supported_range(p);
 }
 
 bool TerrainMesh::is_hard(HalfEdge e) const {

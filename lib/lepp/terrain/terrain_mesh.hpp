@@ -77,6 +77,10 @@ class TerrainMesh {
     return std::isnan(space_.height(s)) ? p : space_.place(s);
   }
 
+  /// `p`, or the sample with data that it is a small part of a cell away from: nearer than that,
+  /// a vertex would leave no room for the sample itself, and rounding would decide which is meant.
+  Point clear_of_samples(Point p) const;
+
   /// Inserts a vertex at a sample that is in `t`, on a constrained edge of it if need be.
   /// \return false if that is not possible: a vertex is there, or the edge may not be cut
   /// \param changed  triangles with other corners are appended; rescan() is the caller's
