@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
@@ -17,6 +18,11 @@ namespace {
 
 // A line is cut at a sample if neither half is a shorter part of it than this.
 constexpr double shortest_part = 0.18;
+
+double squared_distance_to_segment(Point p, Point a, Point b) {
+  const double part = std::clamp(dot(p - a, b - a) / squared_distance(a, b), 0.0, 1.0);
+  return squared_distance(p, a + part * (b - a));
+}
 
 }  // namespace
 
@@ -129,6 +135,45 @@ bool SurfaceEditor::flip_in_plan(TriangleId t) {
   }
   flips_.restore(suspects_, changed_);
   return mesh_.vertices(t) != before;
+}
+
+bool SurfaceEditor::lay_flat_around(TriangleId t) {
+  const auto before = mesh_.vertices(t);
+  while (mesh_.vertices(t) == before) {  // ends: more triangles are aside each time
+    suspects_.clear();
+    set_circle_aside(t);
+    if (suspects_.empty()) return false;
+    flips_.restore(suspects_, changed_);
+  }
+  return true;
+}
+
+// From `t` across all edges that come nearer to the center than the radius. The edges of what was
+// not aside become suspects.
+void SurfaceEditor::set_circle_aside(TriangleId t) {
+  const auto [a, b, c] = mesh_.corners(t);
+  const Point center = circumcenter(a, b, c);
+  const double squared_radius = squared_distance(center, a);
+  round_of_.resize(mesh_.triangle_count(), 0);
+  ++round_;
+  in_circle_.assign(1, t);
+  round_of_[t.index()] = round_;
+  for (std::size_t k = 0; k < in_circle_.size(); ++k) {
+    const TriangleId in = in_circle_[k];
+    const bool is_new = !flips_.is_planar(in);
+    flips_.set_planar(in, true);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge e{in, i};
+      if (mesh_.is_constrained(e)) continue;
+      if (is_new) suspects_.push_back(e);
+      const TriangleId beyond = mesh_.twin(e)->triangle;
+      const double near = squared_distance_to_segment(center, mesh_.point(mesh_.origin(e)),
+                                                      mesh_.point(mesh_.destination(e)));
+      if (round_of_[beyond.index()] == round_ || !(near < squared_radius)) continue;
+      round_of_[beyond.index()] = round_;
+      in_circle_.push_back(beyond);
+    }
+  }
 }
 
 void SurfaceEditor::flip_everywhere() {

@@ -166,6 +166,7 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
     }
   }
   if (mesh_.is_constrained(terminal) && cut(t, terminal, least)) return true;
+  if (editor_.lay_flat_around(t)) return true;
   return insert_or_cut(t, off_centre, anything, editor_.floor());
 }
 
