@@ -24,7 +24,7 @@ namespace {
 // rounded, and twice as far stays clear of that.
 constexpr double on_line = 2 * same_place;
 
-// Of the smaller side of a cell.
+// In cells.
 constexpr double near_sample = 1.0 / 64;
 
 // Where between a and b, from 0 to 1.
@@ -156,9 +156,10 @@ double TerrainMesh::height_of(Point p) const {
 }
 
 Point TerrainMesh::clear_of_samples(Point p) const {
-  const Point sample = snapped(p);
-  const double part = near_sample * std::min(1.0, grid_.aspect());
-  return squared_distance(p, sample) < part * part ? sample : in_supported_range(p);
+  const Point sample = space_.place(space_.nearest(p));
+  const double near_line = near_sample * grid_.aspect();
+  return in_supported_range({std::abs(p.x - sample.x) < near_sample ? sample.x : p.x,
+                             std::abs(p.y - sample.y) < near_line ? sample.y : p.y});
 }
 
 bool TerrainMesh::is_hard(HalfEdge e) const {

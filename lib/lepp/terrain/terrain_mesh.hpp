@@ -77,8 +77,9 @@ class TerrainMesh {
     return std::isnan(space_.height(s)) ? p : space_.place(s);
   }
 
-  /// `p`, or the sample with data that it is a small part of a cell away from: nearer than that,
-  /// a vertex would leave no room for the sample itself, and rounding would decide which is meant.
+  /// `p` for a vertex between samples: where it is a small part of a cell from a column of samples,
+  /// or a line of them, it is put there. Nearer it would leave no room for the samples, and rounding
+  /// would decide on which side of its edges they are.
   Point clear_of_samples(Point p) const;
 
   /// Inserts a vertex at a sample that is in `t`, on a constrained edge of it if need be.
