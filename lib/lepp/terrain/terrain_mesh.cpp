@@ -24,9 +24,6 @@ namespace {
 // rounded, and twice as far stays clear of that.
 constexpr double on_line = 2 * same_place;
 
-// In cells.
-constexpr double near_sample = 1.0 / 64;
-
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
 
@@ -155,11 +152,10 @@ double TerrainMesh::height_of(Point p) const {
   return height_at(grid_, p);
 }
 
-Point TerrainMesh::clear_of_samples(Point p) const {
+Point TerrainMesh::clear_of_samples(Point p, double part) const {
   const Point sample = space_.place(space_.nearest(p));
-  const double near_line = near_sample * grid_.aspect();
-  return in_supported_range({std::abs(p.x - sample.x) < near_sample ? sample.x : p.x,
-                             std::abs(p.y - sample.y) < near_line ? sample.y : p.y});
+  return in_supported_range({std::abs(p.x - sample.x) < part ? sample.x : p.x,
+                             std::abs(p.y - sample.y) < part * grid_.aspect() ? sample.y : p.y});
 }
 
 bool TerrainMesh::is_hard(HalfEdge e) const {
