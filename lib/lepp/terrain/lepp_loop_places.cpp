@@ -20,7 +20,7 @@ constexpr std::uint8_t most_moves = 20;
 // A fuller star hardly ever has a place with all angles good.
 constexpr std::size_t most_triangles = 12;
 // A line is cut at a sample in the middle part of it, if it is long enough to have one there.
-constexpr double first_part = 0.35, shortest_with_choice = 3;
+constexpr double shortest_with_choice = 3;
 // An off-centre may move to the next sample if that is this much nearer than the triangle.
 constexpr double near_enough = 0.02;
 // Places between samples keep so far from their columns and lines, in cells, that no sample is on
@@ -194,11 +194,8 @@ bool LeppLoop::cut(HalfEdge e) {
 bool LeppLoop::cut_at_sample_near(HalfEdge e, Point p) {
   if (squared_length(e) < shortest_with_choice * shortest_with_choice || is_sharp(e)) return false;
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  const double part =
-      std::clamp(dot(p - a, b - a) / squared_distance(a, b), first_part, 1 - first_part);
-  const Point q = terrain_.snapped(a + part * (b - a));
-  return orient2d(a, b, q) == 0 &&
-         terrain_.insert(e.triangle, terrain_.space().nearest(q), changed_);
+  const auto q = terrain_.sample_inside(e, dot(p - a, b - a) / squared_distance(a, b));
+  return q && terrain_.insert(e.triangle, terrain_.space().nearest(*q), changed_);
 }
 
 // Edges at a sharp vertex are cut at common radii, not where a sample is.

@@ -16,9 +16,6 @@ namespace lepp {
 
 namespace {
 
-// A line is cut at a sample if neither half is a shorter part of it than this.
-constexpr double shortest_part = 0.18;
-
 double squared_distance_to_segment(Point p, Point a, Point b) {
   const double part = std::clamp(dot(p - a, b - a) / squared_distance(a, b), 0.0, 1.0);
   return squared_distance(p, a + part * (b - a));
@@ -61,16 +58,8 @@ bool SurfaceEditor::cut(HalfEdge e, double least) {
   const bool fan_at_a = fan_at(mesh_, e, mesh_.origin(e)).exists();
   const bool fan_at_b = fan_at(mesh_, e, mesh_.destination(e)).exists();
   if (fan_at_a != fan_at_b) return split_with_fan(e);
-  return split(e, sample_inside(e, 0.5).value_or(midpoint(a, b)));
-}
-
-std::optional<Point> SurfaceEditor::sample_inside(HalfEdge e, double part) const {
-  const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  const Point near = terrain_.snapped(a + std::clamp(part, 0.35, 0.65) * (b - a));
-  const double at = dot(near - a, b - a) / squared_distance(a, b);
-  const bool is_inside = at > shortest_part && at < 1 - shortest_part;
-  if (terrain_.is_hard(e) || !is_inside || orient2d(a, b, near) != 0) return std::nullopt;
-  return near;
+  const auto sample = terrain_.is_hard(e) ? std::nullopt : terrain_.sample_inside(e, 0.5);
+  return split(e, sample.value_or(midpoint(a, b)));
 }
 
 bool SurfaceEditor::cut_at(HalfEdge e, Point p) { return terrain_.may_cut(e) && split(e, p); }

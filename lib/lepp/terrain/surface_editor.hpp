@@ -44,8 +44,6 @@ class SurfaceEditor {
   /// another below 60 degrees is cut as refinement does, so that the other is cut alike.
   /// \return false if it may not be cut, or parts would be shorter than `least`
   bool cut(HalfEdge e, double least);
-  /// A sample on constrained edge `e` near `part` of its way from 0 to 1, but in the middle of it.
-  std::optional<Point> sample_inside(HalfEdge e, double part) const;
   /// Cuts it at `p`, a place on it up to rounding.
   bool cut_at(HalfEdge e, Point p);
 

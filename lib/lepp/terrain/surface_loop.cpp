@@ -181,7 +181,7 @@ bool SurfaceLoop::cut_line_at(TriangleId t, Sample s) {
     if (twice_area * twice_area > on_line * on_line * squared_distance(a, b)) continue;
     if (terrain_.is_hard(e)) return true;
     const double part = dot(p - a, b - a) / squared_distance(a, b);
-    const auto near = editor_.sample_inside(e, part);
+    const auto near = terrain_.sample_inside(e, part);
     if (near && editor_.cut_at(e, *near)) return true;
     if (!editor_.cut_at(e, p)) editor_.cut_at(e, a + part * (b - a));
     return true;

@@ -82,6 +82,9 @@ class TerrainMesh {
   /// its edges they are.
   Point clear_of_samples(Point p, double part) const;
 
+  /// A sample on constrained edge `e` near `part` of its way, from 0 to 1, but in the middle of it.
+  std::optional<Point> sample_inside(HalfEdge e, double part) const;
+
   /// Inserts a vertex at a sample that is in `t`, on a constrained edge of it if need be.
   /// \return false if that is not possible: a vertex is there, or the edge may not be cut
   /// \param changed  triangles with other corners are appended; rescan() is the caller's
