@@ -40,7 +40,8 @@ bool LeppLoop::is_improvable(TriangleId t) const {
 bool LeppLoop::improve(TriangleId t) {
   if (move_a_corner(t)) return true;
   const auto [a, b, c] = mesh_.corners(t);
-  const Point p = terrain_.clear_of_samples(off_centre_(a, b, c), clear), at_sample = terrain_.snapped(p);
+  const Point p = terrain_.clear_of_samples(off_centre_(a, b, c), clear),
+              at_sample = terrain_.snapped(p);
   if (insert_at_good_place(t, at_sample) || insert_at_good_place(t, p)) return true;
   if (squared_distance(p, at_sample) <= near_enough * squared_distance(a, p) &&
       find_cavity(t, at_sample) && !encroached_by(at_sample)) {
@@ -134,9 +135,8 @@ bool LeppLoop::find_cavity(TriangleId t, Point p) {
 // A cut of a line at a sample is off by rounding, and stands for the sample all the same.
 bool LeppLoop::is_at_vertex(Point p) const {
   const double near = same_place * std::min(1.0, terrain_.grid().aspect());
-  return std::ranges::any_of(cavity_.rim(), [&](const auto& rim) {
-    return squared_distance(p, rim.from) < near * near;
-  });
+  return std::ranges::any_of(
+      cavity_.rim(), [&](const auto& rim) { return squared_distance(p, rim.from) < near * near; });
 }
 
 // Leaves the rim of the cavity in star_.

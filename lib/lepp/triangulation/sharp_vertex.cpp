@@ -89,8 +89,8 @@ class FanWalk {
 // The corner of t with the smallest angle faces its shortest edge.
 HalfEdge shortest_edge(const Mesh& mesh, TriangleId t) { return edges_by_length(mesh, t)[0]; }
 
-// Input segments that the origin of `leaving` lies on or is an end of, as seen from there: where the
-// mesh touches itself in a corner, other triangles see others.
+// Input segments that the origin of `leaving` lies on or is an end of, as seen from there: where
+// the mesh touches itself in a corner, other triangles see others.
 std::vector<SegmentId> segments_at(const Mesh& mesh, HalfEdge leaving) {
   std::vector<SegmentId> found;
   const auto add = [&](std::span<const SegmentId> segments) {
