@@ -28,7 +28,7 @@ SurfaceLoop::SurfaceLoop(TerrainMesh& terrain, double min_angle_deg, std::functi
       plan_bound_(AngleTest::squared_cos(plan_angle_deg(min_angle_deg))),
       editor_(terrain, plan_angle_deg(min_angle_deg)),
       repair_(editor_, min_angle_deg, plan_angle_deg(min_angle_deg)),
-      budget_(2 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
+      budget_(8 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
   freeze();
 }
 

@@ -104,7 +104,7 @@ class SurfaceLoop {
   std::optional<ErrorHeap> heap_;
   Targets thin_, small_;  // below the bound in plan, and in space
   double error_ = 0;
-  std::size_t budget_;  // of vertices: twice the samples, and what refine() gives a domain
+  std::size_t budget_;  // of vertices: eight times the samples, and what refine() gives a domain
   std::size_t most_vertices_ = 0, turns_ = 0, work_at_flip_ = 0;
   bool cancelled_ = false, is_new_ = true;
   std::optional<Candidate> best_;  // of the turn in hand
