@@ -31,9 +31,10 @@ class SurfaceLoop {
 
   /// Works until every error is at most `error` and no turn betters an angle, or there are
   /// `vertices` vertices.
-  /// Ends: samples become vertices once, other places stay a cell away from the corners of their
-  /// star (or make no edge shorter than there is), a vertex moves only so often, flips between two
-  /// turns end (SurfaceFlips), and there is a budget, which no real grid comes near.
+  /// Ends: samples become vertices once; other places stay a cell away from the corners of their
+  /// star, make no edge shorter than there is, or are those of refine(), which are far apart; a
+  /// vertex moves only so often; flips between two turns end (SurfaceFlips); and there is a budget,
+  /// which no real grid comes near.
   void run(double error, std::size_t vertices);
 
   /// Vertices that exist now stay where they are from now on.

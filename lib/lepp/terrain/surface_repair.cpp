@@ -152,7 +152,8 @@ bool SurfaceRepair::insert_off_centre_in_space(TriangleId t) {
 }
 
 // An off-centre, or the end of the LEPP, in plan, if possible where the star is better. Where
-// vertices are nearer than a cell already, edges get no shorter than they are.
+// vertices are nearer than a cell already, edges get no shorter than they are. What cannot be
+// bettered so is refined without a limit, where all around is Delaunay: then that ends as well.
 bool SurfaceRepair::insert_in_plan(TriangleId t) {
   const double least = std::min(editor_.clearance(), shortest_in_plan(mesh_, t));
   const auto [a, b, c] = mesh_.corners(t);
