@@ -1,5 +1,7 @@
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include "lepp/terrain/validate_surface.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "terrain/hills.hpp"

@@ -77,6 +77,35 @@ TEST_CASE("the edge between equal radii of a sharp wedge is seditious") {
   }
 }
 
+//          w           the kite's edge uw is seditious, whatever else touches u and w from outside
+//   c  <   |   > x
+//          u
+TEST_CASE(
+    "an edge is seditious by the segments on its own side of a corner where the mesh touches") {
+  Pslg pslg = test::polygon({0, 0, 5, -0.5, 6, 0, 5, 0.5, 1, -3, 9, -3, 9, 3, 1, 3});
+  pslg.segments.clear();
+  const auto ring = [&](std::initializer_list<std::uint32_t> corners) {
+    for (auto it = corners.begin(); it != corners.end(); ++it) {
+      const auto next = it + 1 == corners.end() ? corners.begin() : it + 1;
+      pslg.segments.push_back({VertexId(*it), VertexId(*next), {}, 0, 1});
+    }
+  };
+  ring({1, 4, 5});  // below u
+  ring({0, 1, 2, 3});
+  ring({3, 6, 7});  // above w
+  Mesh mesh = constrained_delaunay(pslg).mesh;
+  REQUIRE(mesh.triangle_count() == 4);
+  std::vector<std::uint32_t> number{3, 2, 1, 0};
+  for (int order = 0; order < 2; ++order) {
+    int seditious = 0;
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+      seditious += shortest_edge_is_seditious(mesh, TriangleId(t)) ? 1 : 0;
+    }
+    CHECK(seditious == 2);
+    mesh.renumber_triangles(number);
+  }
+}
+
 TEST_CASE("corners in wedges below 60 degrees are marked, each wedge on its own") {
   Pslg pslg = test::polygon({0, 0, 10, 0, 10, 3});  // 16.7 degrees at the origin
   test::add_chain(pslg, {{4, 0.2}, {6, 0.9}}, false);

@@ -29,7 +29,7 @@ LeppLoop::LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<boo
       floor_(default_size_floor(mesh_)),
       any_sharp_(segments_meet_sharply(mesh_)),
       frozen_(mesh_.vertex_count()),
-      budget_(4 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
+      budget_(8 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
   asked_.min_angle_deg = min_angle_deg;
 }
 

@@ -74,6 +74,7 @@ class LeppLoop {
   bool insert_best(TriangleId t);
 
   bool find_cavity(TriangleId t, Point p);
+  bool is_at_vertex(Point p) const;
   std::optional<Point> good_place_in_cavity(Point near);
   std::optional<HalfEdge> encroached_by(Point p) const;
   double badness_of_star(Point p) const;

@@ -20,9 +20,12 @@ constexpr std::uint8_t most_moves = 20;
 // A fuller star hardly ever has a place with all angles good.
 constexpr std::size_t most_triangles = 12;
 // A line is cut at a sample in the middle part of it, if it is long enough to have one there.
-constexpr double first_part = 0.35, shortest_with_choice = 3;
+constexpr double shortest_with_choice = 3;
 // An off-centre may move to the next sample if that is this much nearer than the triangle.
 constexpr double near_enough = 0.02;
+// Places between samples keep so far from their columns and lines, in cells, that no sample is on
+// two sides of an edge by rounding.
+constexpr double clear = 1e-6;
 
 }  // namespace
 
@@ -37,7 +40,8 @@ bool LeppLoop::is_improvable(TriangleId t) const {
 bool LeppLoop::improve(TriangleId t) {
   if (move_a_corner(t)) return true;
   const auto [a, b, c] = mesh_.corners(t);
-  const Point p = in_supported_range(off_centre_(a, b, c)), at_sample = terrain_.snapped(p);
+  const Point p = terrain_.clear_of_samples(off_centre_(a, b, c), clear),
+              at_sample = terrain_.snapped(p);
   if (insert_at_good_place(t, at_sample) || insert_at_good_place(t, p)) return true;
   if (squared_distance(p, at_sample) <= near_enough * squared_distance(a, p) &&
       find_cavity(t, at_sample) && !encroached_by(at_sample)) {
@@ -57,7 +61,7 @@ bool LeppLoop::move_a_corner(TriangleId t) {
     for (const auto& side : star_.link) {
       limit = std::max(limit, terrain_.error(side.edge.triangle));
     }
-    for (const Point p : {terrain_.snapped(*place), in_supported_range(*place)}) {
+    for (const Point p : {terrain_.snapped(*place), terrain_.clear_of_samples(*place, clear)}) {
       if (!is_good_center(p) || error_of_star(p) > limit) continue;
       if (any_sharp_ && encroaches_beyond_link(mesh_, star_, p, suspects_)) continue;
       move_vertex(mesh_, v, star_, p, changed_);
@@ -101,7 +105,7 @@ bool LeppLoop::insert_at_good_place(TriangleId t, Point p) {
   if (!find_cavity(t, p)) return false;
   const auto place = good_place_in_cavity(p);
   if (!place) return false;
-  for (const Point q : {terrain_.snapped(*place), in_supported_range(*place)}) {
+  for (const Point q : {terrain_.snapped(*place), terrain_.clear_of_samples(*place, clear)}) {
     if (!sees_link(star_, q) || encroached_by(q) || badness_of_star(q) > bound_) continue;
     if (any_sharp_ && encroaches_beyond_link(mesh_, star_, q, suspects_)) continue;
     fill(q);
@@ -123,9 +127,16 @@ bool LeppLoop::find_cavity(TriangleId t, Point p) {
   const WayEnd end = straight_walk(mesh_, t, p);
   barrier_ = end.barrier;
   if (end.barrier || !contains(mesh_, end.triangle, p)) return false;
-  if (cavity_.find(mesh_, end.triangle, p)) return true;
+  if (cavity_.find(mesh_, end.triangle, p)) return !is_at_vertex(p);
   barrier_ = encroached_by(p);  // p lies on it
   return false;
+}
+
+// A cut of a line at a sample is off by rounding, and stands for the sample all the same.
+bool LeppLoop::is_at_vertex(Point p) const {
+  const double near = same_place * std::min(1.0, terrain_.grid().aspect());
+  return std::ranges::any_of(
+      cavity_.rim(), [&](const auto& rim) { return squared_distance(p, rim.from) < near * near; });
 }
 
 // Leaves the rim of the cavity in star_.
@@ -183,11 +194,8 @@ bool LeppLoop::cut(HalfEdge e) {
 bool LeppLoop::cut_at_sample_near(HalfEdge e, Point p) {
   if (squared_length(e) < shortest_with_choice * shortest_with_choice || is_sharp(e)) return false;
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-  const double part =
-      std::clamp(dot(p - a, b - a) / squared_distance(a, b), first_part, 1 - first_part);
-  const Point q = terrain_.snapped(a + part * (b - a));
-  return orient2d(a, b, q) == 0 &&
-         terrain_.insert(e.triangle, terrain_.space().nearest(q), changed_);
+  const auto q = terrain_.sample_inside(e, dot(p - a, b - a) / squared_distance(a, b));
+  return q && terrain_.insert(e.triangle, terrain_.space().nearest(*q), changed_);
 }
 
 // Edges at a sharp vertex are cut at common radii, not where a sample is.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
@@ -12,6 +13,15 @@
 #include "lepp/triangulation/unfinished.hpp"
 
 namespace lepp {
+
+namespace {
+
+double squared_distance_to_segment(Point p, Point a, Point b) {
+  const double part = std::clamp(dot(p - a, b - a) / squared_distance(a, b), 0.0, 1.0);
+  return squared_distance(p, a + part * (b - a));
+}
+
+}  // namespace
 
 SurfaceEditor::SurfaceEditor(TerrainMesh& terrain, double plan_angle_deg)
     : terrain_(terrain),
@@ -48,10 +58,8 @@ bool SurfaceEditor::cut(HalfEdge e, double least) {
   const bool fan_at_a = fan_at(mesh_, e, mesh_.origin(e)).exists();
   const bool fan_at_b = fan_at(mesh_, e, mesh_.destination(e)).exists();
   if (fan_at_a != fan_at_b) return split_with_fan(e);
-  const Point middle = midpoint(a, b), near = terrain_.snapped(middle);
-  const bool takes_sample =
-      !terrain_.is_hard(e) && squared_distance(a, b) >= 9 && orient2d(a, b, near) == 0;
-  return split(e, takes_sample ? near : middle);
+  const auto sample = terrain_.is_hard(e) ? std::nullopt : terrain_.sample_inside(e, 0.5);
+  return split(e, sample.value_or(midpoint(a, b)));
 }
 
 bool SurfaceEditor::cut_at(HalfEdge e, Point p) { return terrain_.may_cut(e) && split(e, p); }
@@ -116,6 +124,45 @@ bool SurfaceEditor::flip_in_plan(TriangleId t) {
   }
   flips_.restore(suspects_, changed_);
   return mesh_.vertices(t) != before;
+}
+
+bool SurfaceEditor::lay_flat_around(TriangleId t) {
+  const auto before = mesh_.vertices(t);
+  while (mesh_.vertices(t) == before) {  // ends: more triangles are aside each time
+    suspects_.clear();
+    set_circle_aside(t);
+    if (suspects_.empty()) return false;
+    flips_.restore(suspects_, changed_);
+  }
+  return true;
+}
+
+// From `t` across all edges that come nearer to the center than the radius. The edges of what was
+// not aside become suspects.
+void SurfaceEditor::set_circle_aside(TriangleId t) {
+  const auto [a, b, c] = mesh_.corners(t);
+  const Point center = circumcenter(a, b, c);
+  const double squared_radius = squared_distance(center, a);
+  round_of_.resize(mesh_.triangle_count(), 0);
+  ++round_;
+  in_circle_.assign(1, t);
+  round_of_[t.index()] = round_;
+  for (std::size_t k = 0; k < in_circle_.size(); ++k) {
+    const TriangleId in = in_circle_[k];
+    const bool is_new = !flips_.is_planar(in);
+    flips_.set_planar(in, true);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const HalfEdge e{in, i};
+      if (mesh_.is_constrained(e)) continue;
+      if (is_new) suspects_.push_back(e);
+      const TriangleId beyond = mesh_.twin(e)->triangle;
+      const double near = squared_distance_to_segment(center, mesh_.point(mesh_.origin(e)),
+                                                      mesh_.point(mesh_.destination(e)));
+      if (round_of_[beyond.index()] == round_ || !(near < squared_radius)) continue;
+      round_of_[beyond.index()] = round_;
+      in_circle_.push_back(beyond);
+    }
+  }
 }
 
 void SurfaceEditor::flip_everywhere() {

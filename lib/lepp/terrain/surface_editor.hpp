@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,6 +51,9 @@ class SurfaceEditor {
   void move(VertexId v, const Star& star, Point p);
   /// Puts `t` and its neighbours aside. \return true if that flips `t` away
   bool flip_in_plan(TriangleId t);
+  /// Puts all triangles aside that reach into the circumcircle of `t`, until it holds no vertex:
+  /// then refinement in plan ends as in a Delaunay mesh. \return true if that flips `t` away
+  bool lay_flat_around(TriangleId t);
   void flip_everywhere();
   /// What was put aside goes back to the metric of space.
   void flip_planar_back();
@@ -67,6 +71,7 @@ class SurfaceEditor {
   bool split(HalfEdge e, Point p);
   bool split_with_fan(HalfEdge e);
   void settle(bool planar);
+  void set_circle_aside(TriangleId t);
 
   TerrainMesh& terrain_;
   Mesh& mesh_;
@@ -79,6 +84,9 @@ class SurfaceEditor {
   std::vector<TriangleId> changed_;
   std::vector<TriangleId> now_;  // changed by the operation in hand
   std::vector<HalfEdge> suspects_;
+  std::vector<TriangleId> in_circle_;
+  std::vector<std::uint32_t> round_of_;  // by triangle: when it was in a circle
+  std::uint32_t round_ = 0;
 };
 
 }  // namespace lepp

@@ -68,8 +68,7 @@ bool SurfaceFlips::breaks_error(HalfEdge e) const {
 bool SurfaceFlips::is_to_flip(HalfEdge e) const {
   const Mesh& mesh = terrain_.mesh();
   if (mesh.is_constrained(e)) return false;
-  const bool planar = is_planar(e.triangle);
-  if (planar != is_planar(mesh.twin(e)->triangle)) return false;
+  const bool planar = is_planar(e.triangle) || is_planar(mesh.twin(e)->triangle);
   if (planar) return !is_locally_delaunay(mesh, e);
   return breaks_sphere(e) && !kept_by(e);
 }
@@ -82,6 +81,9 @@ void SurfaceFlips::restore(std::vector<HalfEdge>& suspects, std::vector<Triangle
     const TriangleId t = e.triangle, u = terrain_.mesh().twin(e)->triangle;
     flip(terrain_.mesh(), e);
     const std::array both{t, u};
+    if (is_planar(t) || is_planar(u)) {
+      for (const TriangleId flipped : both) set_planar(flipped, true);
+    }
     terrain_.rescan(both);
     changed.insert(changed.end(), both.begin(), both.end());
     for (const HalfEdge outer : {HalfEdge{t, 0}, HalfEdge{t, 2}, HalfEdge{u, 0}, HalfEdge{u, 2}}) {

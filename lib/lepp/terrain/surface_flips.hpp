@@ -11,13 +11,12 @@
 namespace lepp {
 
 /// Which edges the surface metric flips. An edge that breaks the sphere criterion is flipped unless
-/// one of the rules of KeptBy keeps it. Triangles can be put aside as planar: two of them follow
-/// the circle criterion of the plan, and an edge between a planar one and another stays.
+/// one of the rules of KeptBy keeps it. Triangles can be put aside as planar: their edges follow
+/// the circle criterion of the plan, and what a flip joins to them becomes planar, too.
 class SurfaceFlips {
  public:
   /// \param plan_angle_deg  a flip after which an angle in plan is below it has to raise the
-  /// smallest
-  ///                        of them
+  ///                        smallest of them
   SurfaceFlips(const SurfaceMetric& metric, TerrainMesh& terrain, double plan_angle_deg);
 
   /// No flip takes the error of its triangles above this, or above what it was if that is more.
@@ -40,8 +39,8 @@ class SurfaceFlips {
   void clear_planar(std::vector<HalfEdge>& suspects);
 
   /// Flips until every edge reachable from `suspects` obeys its criterion, or is kept.
-  /// Ends: in space the sorted smallest angles of the triangles rise; in plan this is Lawson's
-  /// algorithm; and neither touches the triangles of the other.
+  /// Ends: triangles only become planar; until the next one does, the sorted smallest angles of the
+  /// others rise in space, and in plan this is Lawson's algorithm.
   /// \pre the errors of all triangles are known; they are afterwards
   /// \param changed  triangles that a flip touched are appended, with repetitions
   void restore(std::vector<HalfEdge>& suspects, std::vector<TriangleId>& changed);

@@ -28,7 +28,7 @@ SurfaceLoop::SurfaceLoop(TerrainMesh& terrain, double min_angle_deg, std::functi
       plan_bound_(AngleTest::squared_cos(plan_angle_deg(min_angle_deg))),
       editor_(terrain, plan_angle_deg(min_angle_deg)),
       repair_(editor_, min_angle_deg, plan_angle_deg(min_angle_deg)),
-      budget_(2 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
+      budget_(8 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
   freeze();
 }
 
@@ -128,7 +128,7 @@ std::optional<TriangleId> SurfaceLoop::next(Targets& targets) {
 // metric of space; then small angles there.
 bool SurfaceLoop::take_turn() {
   if (const auto thin = next(thin_)) {
-    if (repair_.is_improvable(*thin)) repair_.improve(*thin, Kind::plan);
+    widen(*thin);
   } else if (const auto worst = heap_->top()) {
     reduce_error(*worst);
     if (!editor_.has_changed()) heap_->set(*worst, 0);
@@ -141,6 +141,14 @@ bool SurfaceLoop::take_turn() {
   }
   note_changes();
   return true;
+}
+
+// A cut elsewhere, or a vertex, may leave the triangle to be tried again.
+void SurfaceLoop::widen(TriangleId t) {
+  if (!repair_.is_improvable(t)) return;
+  const auto before = mesh_.vertices(t);
+  repair_.improve(t, Kind::plan);
+  if (editor_.has_changed() && mesh_.vertices(t) == before) add_if_thin(t);
 }
 
 // Thin triangles that come back although no vertex came or moved have been tried in vain. So there
@@ -173,9 +181,8 @@ bool SurfaceLoop::cut_line_at(TriangleId t, Sample s) {
     if (twice_area * twice_area > on_line * on_line * squared_distance(a, b)) continue;
     if (terrain_.is_hard(e)) return true;
     const double part = dot(p - a, b - a) / squared_distance(a, b);
-    const Point near = terrain_.snapped(a + std::clamp(part, 0.35, 0.65) * (b - a));
-    const bool is_near = squared_distance(a, b) >= 9 && orient2d(a, b, near) == 0;
-    if (is_near && editor_.cut_at(e, near)) return true;
+    const auto near = terrain_.sample_inside(e, part);
+    if (near && editor_.cut_at(e, *near)) return true;
     if (!editor_.cut_at(e, p)) editor_.cut_at(e, a + part * (b - a));
     return true;
   }

@@ -31,9 +31,10 @@ class SurfaceLoop {
 
   /// Works until every error is at most `error` and no turn betters an angle, or there are
   /// `vertices` vertices.
-  /// Ends: samples become vertices once, other places stay a cell away from the corners of their
-  /// star (or make no edge shorter than there is), a vertex moves only so often, flips between two
-  /// turns end (SurfaceFlips), and there is a budget, which no real grid comes near.
+  /// Ends: samples become vertices once; other places stay a cell away from the corners of their
+  /// star, make no edge shorter than there is, or are those of refine(), which are far apart; a
+  /// vertex moves only so often; flips between two turns end (SurfaceFlips); and there is a budget,
+  /// which no real grid comes near.
   void run(double error, std::size_t vertices);
 
   /// Vertices that exist now stay where they are from now on.
@@ -77,6 +78,7 @@ class SurfaceLoop {
   void rescan_everywhere();
   bool may_go_on();
   bool take_turn();
+  void widen(TriangleId t);
   bool flip_back();
   void note_changes();
   void add_if_thin(TriangleId t);
@@ -103,7 +105,7 @@ class SurfaceLoop {
   std::optional<ErrorHeap> heap_;
   Targets thin_, small_;  // below the bound in plan, and in space
   double error_ = 0;
-  std::size_t budget_;  // of vertices: twice the samples, and what refine() gives a domain
+  std::size_t budget_;  // of vertices: eight times the samples, and what refine() gives a domain
   std::size_t most_vertices_ = 0, turns_ = 0, work_at_flip_ = 0;
   bool cancelled_ = false, is_new_ = true;
   std::optional<Candidate> best_;  // of the turn in hand

@@ -6,7 +6,6 @@
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
-#include "lepp/triangulation/split.hpp"
 
 namespace lepp {
 
@@ -16,6 +15,9 @@ constexpr std::uint8_t most_moves = 20;
 constexpr std::size_t most_corners = 12;  // of a star whose center moves
 // The parts of the bound that moves try to reach, one after the other.
 constexpr double rungs[] = {1, 0.75, 0.55};
+
+// Nearer to samples, as a part of a cell, a vertex would leave no room for them.
+constexpr double clear = 1.0 / 64;
 
 double shortest_in_plan(const Mesh& mesh, TriangleId t) {
   const auto [a, b, c] = mesh.corners(t);
@@ -70,7 +72,7 @@ bool SurfaceRepair::move_corner(TriangleId t, std::uint32_t corner, Kind kind, R
   for (const auto& side : star_.link) {
     most_error = std::max(most_error, terrain_.error(side.edge.triangle));
   }
-  for (const Point p : {terrain_.snapped(*place), in_supported_range(*place)}) {
+  for (const Point p : {terrain_.snapped(*place), terrain_.clear_of_samples(*place, clear)}) {
     if (!sees_link(star_, p) || encroaches(p)) continue;
     const double after = badness_of_star(editor_.metric().at(p), kind);
     if (after > rung.badness || after >= before || error_of_star(p) > most_error) continue;
@@ -137,7 +139,7 @@ bool SurfaceRepair::insert_off_centre_in_space(TriangleId t) {
   const Point p =
       slope.to_plan(off_centre_(slope.to_plane(a), slope.to_plane(b), slope.to_plane(c)));
   const double before = editor_.metric().badness(t);
-  for (const Point q : {terrain_.snapped(p), in_supported_range(p)}) {
+  for (const Point q : {terrain_.snapped(p), terrain_.clear_of_samples(p, clear)}) {
     if (!editor_.grow(t, q, TerrainMetric::surface)) continue;
     const SurfaceStar& star = editor_.star();
     if (star.encroached() || star.clearance() < editor_.clearance()) continue;
@@ -150,7 +152,8 @@ bool SurfaceRepair::insert_off_centre_in_space(TriangleId t) {
 }
 
 // An off-centre, or the end of the LEPP, in plan, if possible where the star is better. Where
-// vertices are nearer than a cell already, edges get no shorter than they are.
+// vertices are nearer than a cell already, edges get no shorter than they are. What cannot be
+// bettered so is refined without a limit, where all around is Delaunay: then that ends as well.
 bool SurfaceRepair::insert_in_plan(TriangleId t) {
   const double least = std::min(editor_.clearance(), shortest_in_plan(mesh_, t));
   const auto [a, b, c] = mesh_.corners(t);
@@ -161,12 +164,14 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
       midpoint(mesh_.point(mesh_.origin(terminal)), mesh_.point(mesh_.destination(terminal)));
   for (const double most : {before, anything}) {
     for (const Point p : {off_centre, middle}) {
-      for (const Point q : {terrain_.snapped(p), in_supported_range(p)}) {
+      for (const Point q : {terrain_.snapped(p), terrain_.clear_of_samples(p, clear)}) {
         if (insert_or_cut(t, q, most, least)) return true;
       }
     }
   }
-  return mesh_.is_constrained(terminal) && cut(t, terminal, least);
+  if (mesh_.is_constrained(terminal) && cut(t, terminal, least)) return true;
+  if (editor_.lay_flat_around(t)) return true;
+  return insert_or_cut(t, off_centre, anything, editor_.floor());
 }
 
 bool SurfaceRepair::cut(TriangleId t, HalfEdge e, double least) {

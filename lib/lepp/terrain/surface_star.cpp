@@ -36,7 +36,7 @@ bool SurfaceStar::grow(TriangleId t, Point p, TerrainMetric metric) {
     stack_.push_back(next_edge(f));
   }
   judge();
-  return true;
+  return clearance() >= same_place * std::min(1.0, terrain_.grid().aspect());
 }
 
 // A place on an edge has both of its triangles to start from.

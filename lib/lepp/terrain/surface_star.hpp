@@ -29,7 +29,8 @@ class SurfaceStar {
       : metric_(metric), flips_(flips), terrain_(terrain) {}
 
   /// \pre `p` lies in the closed triangle t
-  /// \return false if no vertex can be put there: one is there, or a constrained edge
+  /// \return false if no vertex can be put there: one is there up to rounding, or a constrained
+  ///         edge
   bool grow(TriangleId t, Point p, TerrainMetric metric);
 
   const std::vector<RimEdge>& rim() const { return rim_; }

@@ -24,13 +24,17 @@ namespace {
 // rounded, and twice as far stays clear of that.
 constexpr double on_line = 2 * same_place;
 
+// A line is cut at a sample near a place in the middle part of it, so that none of the halves is a
+// smaller part than `shortest_part`: where cells are long, the nearest sample can be its end.
+constexpr double first_part = 0.35, shortest_part = 0.18;
+
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
 
 bool lies_between(Point a, Point b, Point p) {
-  const double twice_area = cross(b - a, p - a), part = part_of_way(a, b, p);
-  return twice_area * twice_area <= on_line * on_line * squared_distance(a, b) && part > 0 &&
-         part < 1;
+  const double twice_area = cross(b - a, p - a), length = std::sqrt(squared_distance(a, b));
+  const double along = part_of_way(a, b, p) * length;
+  return std::abs(twice_area) <= on_line * length && along > on_line && along < length - on_line;
 }
 
 std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
@@ -150,6 +154,22 @@ double TerrainMesh::height_of(Point p) const {
     return space_.height(s);
   }
   return height_at(grid_, p);
+}
+
+Point TerrainMesh::clear_of_samples(Point p, double part) const {
+  const Point sample = space_.place(space_.nearest(p));
+  return in_supported_range({std::abs(p.x - sample.x) < part ? sample.x : p.x,
+                             std::abs(p.y - sample.y) < part * grid_.aspect() ? sample.y : p.y});
+}
+
+std::optional<Point> TerrainMesh::sample_inside(HalfEdge e, double part) const {
+  const Point a = mesh().point(mesh().origin(e)), b = mesh().point(mesh().destination(e));
+  const Point near = snapped(a + std::clamp(part, first_part, 1 - first_part) * (b - a));
+  const double at = part_of_way(a, b, near);
+  if (at < shortest_part || at > 1 - shortest_part || orient2d(a, b, near) != 0) {
+    return std::nullopt;
+  }
+  return near;
 }
 
 bool TerrainMesh::is_hard(HalfEdge e) const {

@@ -77,6 +77,14 @@ class TerrainMesh {
     return std::isnan(space_.height(s)) ? p : space_.place(s);
   }
 
+  /// `p` for a vertex between samples: where it is nearer than `part` of a cell to a column of
+  /// samples, or a line of them, it is put there. Very near, rounding would decide on which side of
+  /// its edges they are.
+  Point clear_of_samples(Point p, double part) const;
+
+  /// A sample on constrained edge `e` near `part` of its way, from 0 to 1, but in the middle of it.
+  std::optional<Point> sample_inside(HalfEdge e, double part) const;
+
   /// Inserts a vertex at a sample that is in `t`, on a constrained edge of it if need be.
   /// \return false if that is not possible: a vertex is there, or the edge may not be cut
   /// \param changed  triangles with other corners are appended; rescan() is the caller's

@@ -89,21 +89,25 @@ class FanWalk {
 // The corner of t with the smallest angle faces its shortest edge.
 HalfEdge shortest_edge(const Mesh& mesh, TriangleId t) { return edges_by_length(mesh, t)[0]; }
 
-// Input segments that vertex v lies on or is an end of.
-std::vector<SegmentId> segments_at(const Mesh& mesh, VertexId v) {
+// Input segments that the origin of `leaving` lies on or is an end of, as seen from there: where
+// the mesh touches itself in a corner, other triangles see others.
+std::vector<SegmentId> segments_at(const Mesh& mesh, HalfEdge leaving) {
   std::vector<SegmentId> found;
   const auto add = [&](std::span<const SegmentId> segments) {
     found.insert(found.end(), segments.begin(), segments.end());
   };
-  const VertexOrigin& origin = mesh.origin_of(v);
+  const VertexOrigin& origin = mesh.origin_of(mesh.origin(leaving));
   if (origin.kind == VertexOrigin::Kind::on_segment) {
     add(mesh.segments_of(SegmentSetId(origin.index)));
   } else if (origin.kind == VertexOrigin::Kind::input) {
-    for_each_in_fan(mesh, v, [&](TriangleId t, std::uint32_t corner) {
-      for (const HalfEdge e : {HalfEdge{t, next_corner(corner)}, {t, previous_corner(corner)}}) {
-        if (mesh.is_constrained(e)) add(mesh.segments_of(e));
+    const HalfEdge first = first_of_fan(mesh, leaving);
+    std::optional<HalfEdge> e = first;
+    do {
+      for (const HalfEdge side : {*e, previous_edge(*e)}) {
+        if (mesh.is_constrained(side)) add(mesh.segments_of(side));
       }
-    });
+      e = turn_counter_clockwise(mesh, *e);
+    } while (e && *e != first);
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -198,7 +202,7 @@ bool shortest_edge_is_seditious(const Mesh& mesh, TriangleId t) {
   const VertexId u = mesh.origin(e), w = mesh.destination(e);
   if (mesh.origin_of(u).kind == VertexOrigin::Kind::interior) return false;
   if (mesh.origin_of(w).kind == VertexOrigin::Kind::interior) return false;
-  const auto at_u = segments_at(mesh, u), at_w = segments_at(mesh, w);
+  const auto at_u = segments_at(mesh, e), at_w = segments_at(mesh, next_edge(e));
   for (const SegmentId r : at_u) {
     for (const SegmentId s : at_w) {
       if (r == s) continue;
@@ -241,12 +245,12 @@ bool at_input_feature(const Mesh& mesh, TriangleId t, double floor) {
     const Point p = mesh.point(a), q = mesh.point(b);
     if ((mesh.is_input(a) || mesh.is_input(b)) && !is_interior(mesh, a) && !is_interior(mesh, b) &&
         squared_distance(p, q) < floor * floor &&
-        are_separate(mesh, segments_at(mesh, a), segments_at(mesh, b))) {
+        are_separate(mesh, segments_at(mesh, e), segments_at(mesh, next_edge(e)))) {
       return true;
     }
     if (!is_interior(mesh, c) && mesh.is_constrained(e) &&
         distance_to_segment(mesh.point(c), p, q) < floor &&
-        are_separate(mesh, segments_at(mesh, c), mesh.segments_of(e))) {
+        are_separate(mesh, segments_at(mesh, previous_edge(e)), mesh.segments_of(e))) {
       return true;
     }
   }
