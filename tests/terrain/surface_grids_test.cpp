@@ -45,10 +45,12 @@ HeightGrid random_grid(Random& random, bool has_holes) {
   HeightGrid grid = grid_of(columns, rows, [&](double x, double y) {
     return relief * random_height(random, kind, x, y);
   });
-  for (float& h : grid.heights) {
-    if (has_holes && random.one_in(8)) h = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    if (has_holes && random.one_in(8)) {
+      grid.heights.set(i, std::numeric_limits<double>::quiet_NaN());
+    }
   }
-  grid.heights[0] = 0;  // one sample at least
+  grid.heights.set(0, 0);  // one sample at least
   grid.cell_height = one_of(random, std::array{0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 6.0, 10.0});
   grid.step_y = -grid.cell_height;
   return grid;
@@ -56,7 +58,9 @@ HeightGrid random_grid(Random& random, bool has_holes) {
 
 SimplifyOptions random_options(Random& random, const HeightGrid& grid) {
   double high = 0;
-  for (const float h : grid.heights) high = std::max(high, std::isnan(h) ? 0.0 : double(h));
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    high = std::max(high, std::isnan(grid.heights[i]) ? 0.0 : grid.heights[i]);
+  }
   SimplifyOptions options{.max_error = one_of(random, std::array{0.0, 0.01, 0.05, 0.2}) * high};
   options.metric = TerrainMetric::surface;
   options.effort = std::array{Effort::fast, Effort::normal, Effort::best}[random.below(3)];
