@@ -172,25 +172,32 @@ TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
   CHECK(has(checked.out, "read in plan, without its heights"));
 }
 
-TEST_CASE("heights of more digits than floats hold are kept: the error is that of the file") {
+TEST_CASE("heights of more digits than floats hold are kept: whole, in tiles, in both modes") {
   const ScratchFolder folder;
-  std::ofstream(folder / "fine.asc") << "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
-                                        "20000000.1 20000001.3 20000001\n"
-                                        "20000000 20000001 20000001.5\n";
+  std::string text = "ncols 25\nnrows 21\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 25 * 21; ++i) {  // 1e6 + k * 1e-6
+    const int k =
+        static_cast<int>(std::lround(20 * std::sin(i % 25 * 0.4) * std::cos(i / 25 * 0.3)));
+    text += std::to_string(k < 0 ? 999999 : 1000000) + "." +
+            std::to_string(1000000 + (k < 0 ? 1000000 + k : k)).substr(1) + "\n";
+  }
+  folder.put("fine.asc", text);
+  const HeightGrid grid = read_height_grid(folder / "fine.asc");
+  const double ulp = 0x1p-33;  // of a million
   for (const std::string by : {"lepp", "greedy"}) {
-    for (const double error : {0.0, 0.4}) {
-      CAPTURE(by);
-      CAPTURE(error);
-      const Outcome made = run(folder.path(), "terrain fine.asc -o t.obj --force --json - --by " +
-                                                  by + " --max-error " + std::to_string(error));
-      REQUIRE(made.status == 0);
-      const Json report = Json::parse(made.out);
-      CHECK(report["warnings"].empty());
-      CHECK(report["heights"][1] == 20000001.5);
-      CHECK(report["error"]["max"] <= error);
-      const double found =
-          measured(read_obj(folder / "t.obj"), read_height_grid(folder / "fine.asc")).error;
-      CHECK(std::abs(found - report["error"]["max"].get<double>()) < 1e-8);
+    for (const std::string tiles : {"", " --tiles 2x2 --tile-output mesh"}) {
+      for (const std::string error : {"0", "1e-6", "5e-6"}) {
+        CAPTURE(by + tiles + " " + error);
+        const Outcome made = run(folder.path(), "terrain fine.asc -o t.obj --force --json - --by " +
+                                                    by + " --max-error " + error + tiles);
+        REQUIRE(made.status == 0);
+        const Json report = Json::parse(made.out);
+        CHECK(report["warnings"].empty());
+        CHECK(report["error"]["max"] <= std::stod(error) * (1 + 1e-9) + 4 * ulp);
+        const Found found = measured(read_obj(folder / "t.obj"), grid);
+        CHECK(found.outside == 0);
+        CHECK(std::abs(found.error - report["error"]["max"].get<double>()) <= 4 * ulp);
+      }
     }
   }
 }

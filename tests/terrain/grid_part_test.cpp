@@ -30,8 +30,6 @@ HeightGrid random_grid(test::Random& random, bool south_up) {
   return grid;
 }
 
-bool has_any_data(const HeightGrid& grid) { return grid.has_any_data(); }
-
 /// What the domain of a part covers, samples by their place in the whole.
 struct Cover {
   std::map<Point, int> samples;
@@ -40,7 +38,7 @@ struct Cover {
 
 Cover cover_of(const HeightGrid& grid, double west) {
   Cover cover;
-  if (!has_any_data(grid)) return cover;
+  if (!grid.has_any_data()) return cover;
   cover.pslg = terrain_domain(grid).pslg;
   const Mesh mesh = constrained_delaunay(cover.pslg).mesh;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
@@ -78,6 +76,17 @@ TEST_CASE("a part knows what lies around it, whichever row is the first") {
     CHECK(!all.has_data(-1, -1));
     CHECK(part.grid.to_world({0, 0}) == grid.to_world({1, 1}));
   }
+}
+
+TEST_CASE(
+    "a part of a grid has its very heights, and keeps them as floats where all of its own are") {
+  HeightGrid grid = test::grid_of({"12345", "67890", "12345"});
+  grid.heights.set(grid.index(4, 1), 1e6 + 1e-6);
+  const GridPart west = part_of(grid, {0, 0, 4, 3}), east = part_of(grid, {2, 0, 3, 3});
+  CHECK(west.grid.heights.are_floats());
+  CHECK(west.grid.height(3, 1) == 9);
+  CHECK(!east.grid.heights.are_floats());
+  CHECK(east.grid.height(2, 1) == 1e6 + 1e-6);
 }
 
 TEST_CASE(
@@ -126,7 +135,7 @@ TEST_CASE("a sample alone on the corner of four parts gets one square") {
     for (const std::uint32_t column : {0U, 2U}) {
       GridPart part = part_of(whole, {column, row, 3, 3});
       leave_to_neighbours(part);
-      parts_with_data += has_any_data(part.grid);
+      parts_with_data += part.grid.has_any_data();
     }
   }
   CHECK(parts_with_data == 1);

@@ -20,8 +20,8 @@ HeightGrid read_gdal_header(const std::filesystem::path& path, const GdalOptions
 /// of the whole before the window is cut out.
 /// \param window  nothing: all of it
 /// \param nodata  in place of what the file declares
-/// \throw InputError  a height is infinite or too large, the file is damaged; RefusedError  more than
-///                    the memory of this machine
+/// \throw InputError    a height is infinite or too large, the file is damaged
+/// \throw RefusedError  more than the memory of this machine
 HeightGrid read_gdal_heights(const std::filesystem::path& path,
                              const std::optional<GridWindow>& window, std::optional<double> nodata,
                              const std::function<void(HeightGrid&)>& prepare,

@@ -8,16 +8,18 @@
 namespace lepp {
 
 double interpolation_rounding(const HeightGrid& grid) {
-  constexpr double part = 0x1p-50, of_denormals = 0x1p-1060;
+  constexpr double part = 0x1p-48, last_digit = 0x1p-53, of_denormals = 0x1p-1060;
   return grid.heights.visit([]<class Height>(std::span<const Height> heights) {
     Height low = std::numeric_limits<Height>::max(), high = -low;
     for (const Height h : heights) {
       low = h < low ? h : low;  // false for NaN
       high = h > high ? h : high;
     }
+    if (low > high) return 0.0;  // no data
+    const double largest = std::max(-double(low), double(high));
     const bool is_double = std::is_same_v<Height, double>;
-    const double largest = is_double ? high - low : std::max(-double(low), double(high));
-    return part * std::max(largest, 0.0) + of_denormals;
+    return is_double ? part * double(high - low) + last_digit * largest + of_denormals
+                     : part * largest;
   });
 }
 

@@ -59,13 +59,14 @@ struct SimplifyOptions {
 };
 
 /// Two ways of interpolating the heights of a grid differ by less than this, in practice. A run
-/// works until errors are at most that much above what was asked for, and is content with 16
-/// times it. Of doubles it is a part of their range, of floats one of the largest. Cost O(samples)
+/// works until errors are at most that much above what was asked for, and is content with four
+/// times it. Of floats it is 2^-48 of the largest; of doubles, which are compared with each other,
+/// 2^-48 of their range, and what heights between samples are rounded by. Cost O(samples)
 double interpolation_rounding(const HeightGrid& grid);
 
 /// What an error is held to where `error` was asked for. \param rounding  as above
 inline double kept_error(double error, double rounding) {
-  return error * (1 + 1e-9) + 16 * rounding;
+  return error * (1 + 1e-9) + 4 * rounding;
 }
 
 /// How far a TIN is from its grid, over all samples with data, those on the rim included.
