@@ -183,3 +183,13 @@ TEST_CASE("an ESRI ASCII grid in degrees, as the .prj beside it says, has cells 
   const HeightGrid part = read_height_window(path, {0, 0, 2, 1});
   CHECK(part.cell_width == grid.cell_width);
 }
+
+TEST_CASE("an ESRI ASCII grid in other angles than degrees is taken as it is, with a warning") {
+  const ScratchFolder folder;
+  folder.put("a.prj", R"(GEOGCS["x",PRIMEM["Paris",2.33],UNIT["grad",0.0157079632679489]])");
+  const HeightGrid grid = read_height_grid(folder.put("a.asc", asc_head + "1 2 3 4 5 6"));
+  CHECK(!grid.degrees);
+  CHECK(grid.cell_width == 2);
+  REQUIRE(grid.warnings.size() == 1);
+  CHECK(contains(grid.warnings[0], "not in degrees"));
+}

@@ -62,3 +62,34 @@ TEST_CASE("ncdump reads what we write, where it is installed") {
   CHECK(contains(text, "mesh2d_node_x = 0, 3, 3, 0, 1, 2, 2, 1 ;"));
   CHECK(contains(text, "projected_coordinate_system = 32611 ;"));
 }
+
+TEST_CASE("netCDF: the code of a unit is none of the system, and units are those that it gives") {
+  const ScratchFolder folder;
+  const auto text_of = [&](const std::string& crs) {
+    WorldTin tin = small_tin();
+    tin.crs = crs;
+    write_ugrid(tin, folder / "a.nc");
+    return folder.text("a.nc");
+  };
+  // A name of five letters, a text as type, its length, and the text, each filled up to four.
+  const auto units = [](const std::string& unit) {
+    std::string text("units\0\0\0\0\0\0\x02\0\0\0", 15);
+    text += static_cast<char>(unit.size());
+    return text + unit;
+  };
+  const auto custom = [](const std::string& unit) {
+    return R"(PROJCS["x",GEOGCS["y",AUTHORITY["EPSG","4326"]],UNIT[)" + unit +
+           R"(,AUTHORITY["EPSG","9001"]],AXIS["e",EAST],AXIS["n",NORTH]])";
+  };
+  const std::string metric = text_of(custom("\"metre\",1"));
+  CHECK_FALSE(contains(metric, std::string("epsg\0\0\0\x04", 8)));
+  CHECK(contains(metric, units("m")));
+  const std::string feet = text_of(custom("\"US survey foot\",0.3048006096012192"));
+  CHECK(contains(feet, units("US_survey_foot")));
+  CHECK_FALSE(contains(feet, units("m")));
+  CHECK(contains(
+      text_of("COMPD_CS[\"z\"," + custom("\"foot\",0.3048") + R"(,VERT_CS["v",UNIT["metre",1]]])"),
+      units("m")));
+  CHECK_FALSE(contains(text_of(custom("\"rod\",5.0292")), "units"));
+  CHECK_FALSE(contains(text_of(""), "units"));
+}

@@ -4,10 +4,12 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <variant>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/gdal_process.hpp"
 #include "lepp/io/input_file.hpp"
 #include "lepp/io/raster_layout.hpp"
@@ -49,8 +51,12 @@ void read_prj(const fs::path& path, HeightGrid& grid) {
   if (!fs::is_regular_file(beside, error) || fs::file_size(beside, error) == 0) return;
   std::string text = read_text_file(beside, most).text;
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
-  for (const char* geographic : {"GEOGCS[", "GEOGCRS[", "GEODCRS["}) {
-    if (text.starts_with(geographic)) grid.degrees = true;
+  const CrsWkt crs = parse_crs_wkt(text);
+  constexpr double degree = std::numbers::pi / 180;
+  grid.degrees = crs.is_geographic && std::abs(crs.unit.value_or(degree) / degree - 1) < 1e-9;
+  if (crs.is_geographic && !grid.degrees) {
+    grid.warnings.push_back(grid.source +
+                            ": its angles are not in degrees, so cells are taken as they are");
   }
   if (text.find('[') != text.npos) grid.crs = std::move(text);
 }

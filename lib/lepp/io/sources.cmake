@@ -3,6 +3,7 @@ add_library(lepp_io
   lepp/io/atomic_files.cpp
   lepp/io/boundary_loops.cpp
   lepp/io/classic_netcdf.cpp
+  lepp/io/crs_wkt.cpp
   lepp/io/entity_table.cpp
   lepp/io/gdal_process.cpp
   lepp/io/gdal_record.cpp
