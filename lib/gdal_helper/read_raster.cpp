@@ -130,8 +130,7 @@ class HeightSender {
         window_(window),
         nodata_(nodata ? nodata : declared_nodata(band_)),
         scaling_(scaling_of(band_)) {
-    masked_ =
-        (band_.GetMaskFlags() & (GMF_PER_DATASET | GMF_NODATA | GMF_ALL_VALID)) == GMF_PER_DATASET;
+    masked_ = has_mask(nodata.has_value());
   }
 
   void run() {
@@ -147,6 +146,15 @@ class HeightSender {
   }
 
  private:
+  // A mask that says more than declared_nodata(): one of the band, of the data set, or made of an
+  // alpha band or of values of no data for all bands. The last are declared too, and give way.
+  bool has_mask(bool has_own_nodata) const {
+    const int flags = band_.GetMaskFlags();
+    if ((flags & GMF_ALL_VALID) != 0) return false;
+    if ((flags & GMF_NODATA) == 0) return true;
+    return (flags & GMF_PER_DATASET) != 0 && !has_own_nodata;
+  }
+
   // Whole blocks of the file, so that none is read twice.
   std::uint32_t rows_at_once() const {
     int width = 0, height = 0;

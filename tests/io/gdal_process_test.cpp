@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "io/scratch_folder.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/height_grid_read.hpp"
 #include "support/real_inputs.hpp"
 
@@ -49,6 +50,16 @@ std::vector<double> values_of(const HeightGrid& grid) {
   std::vector<double> values;
   for (std::size_t i = 0; i < grid.heights.size(); ++i) values.push_back(grid.heights[i]);
   return values;
+}
+
+// "1 2 - 4": - where there is no data.
+std::string shown(const HeightGrid& grid) {
+  std::string text;
+  for (const double h : values_of(grid)) {
+    if (!text.empty()) text += ' ';
+    text += std::isnan(h) ? "-" : to_text(h);
+  }
+  return text;
 }
 
 std::string refusal(const std::string& georeference) {
@@ -123,6 +134,29 @@ TEST_CASE("GDAL: no data by declaration, by NaN, and by a double that the floats
   const HeightGridOptions asked{.nodata = 4};
   CHECK(without(read<float>("Float32", {1, 2, 3, 4, 5, 6}, nodata("5"), north_up, asked)) ==
         Places{3});
+}
+
+TEST_CASE("GDAL: masks are applied: of a band, of the data set, and its values of no data") {
+  const auto heights = [](const std::string& georeference, const std::string& band,
+                          std::optional<double> nodata = {}) {
+    const ScratchFolder folder;
+    folder.put("data.bin", bytes_of_values<std::int16_t>({1, 2, 3, 4, 5, 6}));
+    folder.put("mask.bin", std::string("\377\0\1\377\377\0", 6));
+    const auto path = folder.put("a.vrt", vrt("Int16", 2, georeference, band));
+    return shown(read_height_grid(path, {.nodata = nodata}));
+  };
+  const std::string mask =
+      "<MaskBand><VRTRasterBand dataType=\"Byte\" subClass=\"VRTRawRasterBand\">"
+      "<SourceFilename relativeToVRT=\"1\">mask.bin</SourceFilename><ImageOffset>0</ImageOffset>"
+      "<PixelOffset>1</PixelOffset><LineOffset>3</LineOffset></VRTRasterBand></MaskBand>";
+  const std::string nodata = "<NoDataValue>4</NoDataValue>";
+  const std::string values = "<Metadata><MDI key=\"NODATA_VALUES\">4</MDI></Metadata>";
+  CHECK(heights(north_up, "") == "1 2 3 4 5 6");
+  CHECK(heights(north_up, mask) == "1 - 3 4 5 -");
+  CHECK(heights(north_up + mask, "") == "1 - 3 4 5 -");
+  CHECK(heights(north_up, nodata + mask) == "1 - 3 - 5 -");
+  CHECK(heights(north_up + values, "") == "1 2 3 - 5 6");
+  CHECK(heights(north_up + values, "", 5) == "1 2 3 4 - 6");
 }
 
 TEST_CASE("GDAL: scale and offset are applied, to the last digit") {
