@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gdal_failure.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/sample_values.hpp"
 #include "pipe.hpp"
 
@@ -80,6 +81,16 @@ Scaling scaling_of(GDALRasterBand& band) {
   if (const double scale = band.GetScale(&has); has != 0) scaling.scale = scale;
   if (const double offset = band.GetOffset(&has); has != 0) scaling.offset = offset;
   return scaling;
+}
+
+// Its values of no data are those of the file, as GDAL has it, not heights.
+void warn_of_scaling(GDALRasterBand& band, GdalRaster& raster) {
+  const Scaling scaling = scaling_of(band);
+  if (scaling.is_none()) return;
+  raster.warnings.push_back(
+      "the value of no data that was given is compared with its values before "
+      "its scale of " +
+      to_text(scaling.scale) + " and offset of " + to_text(scaling.offset));
 }
 
 // True if each height is a float whatever the values are.
@@ -261,6 +272,7 @@ void send_raster(const RasterTask& task) {
   try {
     dataset = open(task.file);
     raster = header_of(*dataset);
+    if (task.nodata) warn_of_scaling(*dataset->GetRasterBand(1), raster);
     if (task.window &&
         (std::uint64_t{task.window->column} + task.window->columns > raster.columns ||
          std::uint64_t{task.window->row} + task.window->rows > raster.rows))

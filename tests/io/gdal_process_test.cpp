@@ -174,6 +174,18 @@ TEST_CASE("GDAL: scale and offset are applied, to the last digit") {
         0.1F * 0.1);
 }
 
+TEST_CASE("GDAL: of a scaled band, no data is a value of the file, and a warning says so") {
+  const std::string scaled = "<Offset>100</Offset><Scale>0.1</Scale>";
+  const auto grid = [&](double nodata, const std::string& band) {
+    return read<std::int16_t>("Int16", {1, 2, -9999, 4, 5, 6}, band, north_up, {.nodata = nodata});
+  };
+  CHECK(std::isnan(grid(-9999, scaled).heights[2]));
+  CHECK(grid(-899.9, scaled).heights[2] == doctest::Approx(-899.9));
+  REQUIRE(grid(-899.9, scaled).warnings.size() == 1);
+  CHECK(contains(grid(-899.9, scaled).warnings[0], "before its scale of 0.1 and offset of 100"));
+  CHECK(grid(-9999, "").warnings.empty());
+}
+
 TEST_CASE("GDAL: heights of every type are those of the file") {
   const auto agrees = []<class T>(const std::string& type, const std::vector<T>& values,
                                   const std::string& band = "") {

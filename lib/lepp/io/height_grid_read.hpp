@@ -19,7 +19,8 @@ struct HeightGridOptions {
   /// the northern one and the last row lies at y = 0. Where it has one: the true size of a cell in
   /// the unit of the heights, for angles and slopes, in place of what the georeference says.
   std::optional<CellSize> cell = {};
-  /// Heights that mean no data, in place of what the file declares.
+  /// The value that means no data, in place of what the file declares: one of the file, as it is
+  /// before scale and offset.
   std::optional<double> nodata = {};
   GdalOptions gdal = {};
 };
