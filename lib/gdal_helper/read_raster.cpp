@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,7 @@ namespace lepp::gdal_helper {
 namespace {
 
 constexpr std::size_t samples_at_once = std::size_t{1} << 20;
+constexpr std::size_t most_samples_at_once = std::size_t{1} << 26;
 
 struct CloseDataset {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
@@ -136,12 +138,13 @@ std::optional<double> declared_nodata(GDALRasterBand& band) {
 template <class Height>
 class HeightSender {
  public:
-  HeightSender(GDALDataset& dataset, const GridWindow& window, std::optional<double> nodata)
+  HeightSender(GDALDataset& dataset, const GridWindow& window, const RasterTask& task)
       : band_(*dataset.GetRasterBand(1)),
         window_(window),
-        nodata_(nodata ? nodata : declared_nodata(band_)),
+        memory_bytes_(task.memory_bytes),
+        nodata_(task.nodata ? task.nodata : declared_nodata(band_)),
         scaling_(scaling_of(band_)) {
-    masked_ = has_mask(nodata.has_value());
+    masked_ = has_mask(task.nodata.has_value());
   }
 
   void run() {
@@ -150,6 +153,8 @@ class HeightSender {
       send_blocks();
     } catch (const GdalFailure& failure) {
       end.failure = failure;
+    } catch (const std::bad_alloc&) {
+      end.failure = out_of_memory(memory_bytes_);
     }
     const std::uint32_t no_more = 0;
     send(std::as_bytes(std::span(&no_more, 1)));
@@ -166,14 +171,16 @@ class HeightSender {
     return (flags & GMF_PER_DATASET) != 0 && !has_own_nodata;
   }
 
-  // Whole blocks of the file, so that none is read twice.
+  // Whole blocks of the file, so that none is read twice, unless they are huge: some files are one
+  // block.
   std::uint32_t rows_at_once() const {
     int width = 0, height = 0;
     band_.GetBlockSize(&width, &height);
     const auto block = static_cast<std::size_t>(std::max(height, 1));
     const std::size_t blocks = samples_at_once / (block * window_.columns);
+    const std::size_t most = std::max<std::size_t>(most_samples_at_once / window_.columns, 1);
     return static_cast<std::uint32_t>(
-        std::min<std::size_t>(block * std::max<std::size_t>(blocks, 1), window_.rows));
+        std::min<std::size_t>({block * std::max<std::size_t>(blocks, 1), most, window_.rows}));
   }
 
   void send_blocks() {
@@ -251,12 +258,14 @@ class HeightSender {
                                        whole(window_.columns), whole(rows), to,
                                        whole(window_.columns), whole(rows), type, 0, 0, nullptr);
     if (error == CE_None) return;
+    if (CPLGetLastErrorNo() == CPLE_OutOfMemory) throw out_of_memory(memory_bytes_);
     throw GdalFailure{ErrorKind::input, "rows from " + std::to_string(window_.row + row),
                       said("they cannot be read"), "the file is damaged: get it again"};
   }
 
   GDALRasterBand& band_;
   const GridWindow window_;
+  const std::uint64_t memory_bytes_;
   const NodataRange nodata_;
   const Scaling scaling_;
   bool masked_ = false;
@@ -280,13 +289,15 @@ void send_raster(const RasterTask& task) {
                         "choose another window"};
   } catch (const GdalFailure& failure) {
     raster.failure = failure;
+  } catch (const std::bad_alloc&) {
+    raster.failure = out_of_memory(task.memory_bytes);
   }
   send(encode(raster));
   if (raster.failure || task.header_only) return;
   const GridWindow whole{0, 0, raster.columns, raster.rows};
   const GridWindow window = task.window.value_or(whole);
-  if (raster.doubles) HeightSender<double>(*dataset, window, task.nodata).run();
-  else HeightSender<float>(*dataset, window, task.nodata).run();
+  if (raster.doubles) HeightSender<double>(*dataset, window, task).run();
+  else HeightSender<float>(*dataset, window, task).run();
 }
 
 }  // namespace lepp::gdal_helper

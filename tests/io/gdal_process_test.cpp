@@ -255,6 +255,21 @@ TEST_CASE("GDAL: what is no raster, what is cut short and what claims too much i
       contains(error_of<RefusedError>([&] { read_height_grid(huge); }), "more than this machine"));
 }
 
+TEST_CASE("GDAL: memory that the helper may not have is said, and what to do") {
+  const ScratchFolder folder;
+  const auto path = folder.put(
+      "a.vrt",
+      "<VRTDataset rasterXSize=\"32768\" rasterYSize=\"32768\"><VRTRasterBand dataType=\"Int64\" "
+      "band=\"1\" blockYSize=\"2048\"/></VRTDataset>");
+  HeightGridOptions options;
+  options.gdal.memory_bytes = std::size_t{512} << 20;
+  const std::string message = error_of<RefusedError>([&] {
+    read_height_window(path, {0, 0, 32768, 2048}, options);
+  });
+  CHECK(contains(message, "takes more than 512 MiB of memory"));
+  CHECK(contains(message, "--tiles"));
+}
+
 TEST_CASE("GDAL: reading ends when time is up, and when the user has had enough") {
   const ScratchFolder folder;
   folder.put("data.bin", bytes_of_values<float>({1, 2, 3, 4, 5, 6}));
