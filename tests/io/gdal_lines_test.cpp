@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
@@ -32,6 +34,26 @@ const std::string esri_utm =
     R"(PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],)"
     R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],)"
     R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])";
+
+/// While it lives no file can grow.
+class NoSpace {
+ public:
+  NoSpace() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &none);
+  }
+  NoSpace(const NoSpace&) = delete;
+  NoSpace& operator=(const NoSpace&) = delete;
+  ~NoSpace() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
 
 std::string geojson(const std::string& crs, const std::string& line) {
   return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":")" + crs +
@@ -115,4 +137,17 @@ TEST_CASE("GDAL: GeoJSON that says what it is in is converted to a system withou
   const auto same = folder.put("b.geojson", geojson("EPSG:32632", "[[500000,1],[500001,2]]"));
   CHECK(read_breaklines(same, options)[0].points == std::vector<Point>{{500000, 1}, {500001, 2}});
   CHECK(warnings.size() == 2);
+}
+
+TEST_CASE("GDAL: lines are never taken as they are because the grid's system got lost") {
+  const ScratchFolder folder;
+  const auto path = folder.put("a.geojson", geojson("EPSG:4326", "[[9,0],[9,42]]"));
+  CHECK(contains(
+      error_of<InputError>([&] { read_breaklines(path, {.grid_crs = R"(PROJCS["no system"])"}); }),
+      "coordinate system of the grid"));
+  const std::string full = error_of<OutputError>([&] {
+    const NoSpace no_space;
+    read_breaklines(path, {.grid_crs = esri_utm});
+  });
+  CHECK(contains(full, "grid.wkt"));
 }

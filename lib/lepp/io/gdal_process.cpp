@@ -125,6 +125,16 @@ void receive_heights(Helper& helper, const fs::path& path, HeightGrid& grid) {
   if (grid.heights.size() != grid.size()) helper.fail_without_result();
 }
 
+// Cut short, it would be another coordinate system, or none.
+void write_wkt(const fs::path& path, const std::string& wkt) {
+  std::ofstream file(path, std::ios::binary);
+  file << wkt;
+  file.close();
+  if (file) return;
+  throw OutputError(path.string(), "this temporary file cannot be written",
+                    "free some space there, or set TMPDIR to a folder on another disk");
+}
+
 std::string text_of(const std::optional<GridWindow>& window) {
   if (!window) return "all";
   std::string text = std::to_string(window->column);
@@ -161,7 +171,7 @@ HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindo
 GdalLines read_gdal_lines(const fs::path& path, const std::string& grid_crs,
                           const GdalOptions& options) {
   const PrivateFolder folder;
-  std::ofstream(folder.path() / "grid.wkt", std::ios::binary) << grid_crs;
+  write_wkt(folder.path() / "grid.wkt", grid_crs);
   Helper helper(task_of(path, folder.path(), {"lines"}, options));
   GdalLines lines = receive<GdalLines>(helper, gdal_lines_kind, options.memory_bytes);
   if (lines.failure) throw_failure(*lines.failure, path);

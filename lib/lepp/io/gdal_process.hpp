@@ -26,7 +26,9 @@ HeightGrid read_gdal_heights(const std::filesystem::path& path,
                              const std::function<void(HeightGrid&)>& prepare,
                              const GdalOptions& options);
 
-/// Lines and polygons of a vector file, in the coordinate system of the grid. \throw as above
+/// Lines and polygons of a vector file, in the coordinate system of the grid.
+/// \throw as above; InputError  a system of the grid that GDAL cannot read, where the file has one;
+///        OutputError  no room for a temporary file
 GdalLines read_gdal_lines(const std::filesystem::path& path, const std::string& grid_crs,
                           const GdalOptions& options);
 
