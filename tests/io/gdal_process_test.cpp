@@ -95,6 +95,12 @@ TEST_CASE("GDAL: rotated and mirrored rasters are refused") {
   CHECK(contains(refusal("<GeoTransform>0, -1, 0, 0, 0, -1</GeoTransform>"), "west to east"));
 }
 
+TEST_CASE("GDAL: a raster whose place is no number is refused, and one too far away") {
+  CHECK(contains(refusal("<GeoTransform>nan, 10, 0, 50, 0, -5</GeoTransform>"), "not finite"));
+  CHECK(contains(refusal("<GeoTransform>100, 10, 0, inf, 0, -5</GeoTransform>"), "not finite"));
+  CHECK(contains(refusal("<GeoTransform>1e30, 10, 0, 50, 0, -5</GeoTransform>"), "subtract"));
+}
+
 TEST_CASE("GDAL: without a georeference the cell size is asked for") {
   const HeightGrid grid =
       read<float>("Float32", {1, 2, 3, 4, 5, 6}, "", "", {.cell = CellSize{30, 20}});

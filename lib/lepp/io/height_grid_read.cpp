@@ -82,25 +82,6 @@ Raster read_header(const InputFile& file, const fs::path& path) {
   return GdalFile{};
 }
 
-void apply(const HeightGridOptions& options, HeightGrid& grid) {
-  if (options.cell) {
-    const auto [width, height] = *options.cell;
-    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height)))
-      throw InputError("the cell size", "is not above 0", "give width and height of a cell");
-    grid.cell_width = width;
-    grid.cell_height = height;
-  } else if (grid.degrees) {
-    set_cell_from_degrees(grid);
-  } else if (grid.georeferenced) {
-    grid.cell_width = grid.step_x;
-    grid.cell_height = std::abs(grid.step_y);
-  }
-  if (grid.georeferenced) return;
-  grid.step_x = grid.cell_width;
-  grid.step_y = -grid.cell_height;
-  grid.origin = {0, double(grid.rows - 1) * grid.cell_height};
-}
-
 void set_nodata(Raster& raster, double nodata) {
   if (auto* binary = std::get_if<BinaryRaster>(&raster)) binary->layout.nodata = nodata;
   if (auto* text = std::get_if<TextRaster>(&raster)) text->nodata = nodata;
@@ -112,22 +93,22 @@ class GridFile {
   GridFile(const fs::path& path, const HeightGridOptions& options)
       : path_(path), options_(options), file_(path), raster_(read_header(file_, path)) {
     if (options.nodata) set_nodata(raster_, *options.nodata);
-    if (auto* binary = std::get_if<BinaryRaster>(&raster_)) apply(options, binary->grid);
-    if (auto* text = std::get_if<TextRaster>(&raster_)) apply(options, text->grid);
+    if (auto* binary = std::get_if<BinaryRaster>(&raster_)) place_grid(options.cell, binary->grid);
+    if (auto* text = std::get_if<TextRaster>(&raster_)) place_grid(options.cell, text->grid);
   }
 
   HeightGrid header() const {
     if (const auto* binary = std::get_if<BinaryRaster>(&raster_)) return binary->grid;
     if (const auto* text = std::get_if<TextRaster>(&raster_)) return text->grid;
     HeightGrid grid = read_gdal_header(path_, options_.gdal);
-    apply(options_, grid);
+    place_grid(options_.cell, grid);
     return grid;
   }
 
   /// \param window  nothing: all of it
   HeightGrid read(const std::optional<GridWindow>& window) const {
     if (std::holds_alternative<GdalFile>(raster_)) {
-      const auto prepare = [&](HeightGrid& whole) { apply(options_, whole); };
+      const auto prepare = [&](HeightGrid& whole) { place_grid(options_.cell, whole); };
       return read_gdal_heights(path_, window, options_.nodata, prepare, options_.gdal);
     }
     const HeightGrid whole = header();

@@ -4,15 +4,11 @@
 #include <optional>
 
 #include "lepp/io/gdal_options.hpp"
+#include "lepp/io/grid_placement.hpp"
 #include "lepp/terrain/grid_part.hpp"
 #include "lepp/terrain/height_grid.hpp"
 
 namespace lepp {
-
-/// Width and height of a cell, > 0.
-struct CellSize {
-  double width = 1, height = 1;
-};
 
 struct HeightGridOptions {
   /// Where the file has no georeference: the distances between columns and between rows; row 0 is
@@ -32,7 +28,8 @@ struct HeightGridOptions {
 /// Heights are those of the file, whatever their type: of Float64 or wide integers, of text and of
 /// scaled bands too (Heights). A value means no data if it is the declared one in the file's type.
 /// \throw InputError   naming the file, and the line or the place in it; also of a height beyond
-///                     1.6e60, or of a 64-bit integer beyond 2^53
+///                     1.6e60, of a 64-bit integer beyond 2^53, and of coordinates or cells that
+///                     cannot hold a mesh (grid_placement.hpp)
 /// \throw RefusedError more than the memory of this machine
 /// Cost   one pass; memory for the heights, 4 bytes each if all are floats, else 8, and about a
 ///        MiB. Nothing is allocated for heights that the file is too short to hold.

@@ -30,6 +30,7 @@ add_library(lepp_io
   lepp/io/grid_f32.cpp
   lepp/io/grid_npy.cpp
   lepp/io/grid_pgm.cpp
+  lepp/io/grid_placement.cpp
   lepp/io/grid_stm.cpp
   lepp/io/header_words.cpp
   lepp/io/height_grid_read.cpp
