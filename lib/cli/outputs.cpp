@@ -66,6 +66,8 @@ void print(std::FILE* stream, const std::string& text) {
 void check_target(const fs::path& target, const Files& inputs, bool force) {
   refuse_inputs(target, inputs);
   std::error_code error;
+  if (fs::is_directory(target, error))
+    throw OutputError(target.string(), "is a folder", "give the name of a file");
   if (!force && fs::is_regular_file(target, error)) {
     throw OutputError(target.string(), "exists already", "choose another name, or add --force");
   }

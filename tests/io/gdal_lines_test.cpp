@@ -1,9 +1,8 @@
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <csignal>
 
+#include "io/file_size_limit.hpp"
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/height_grid_read.hpp"
@@ -34,26 +33,6 @@ const std::string esri_utm =
     R"(PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],)"
     R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],)"
     R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])";
-
-/// While it lives no file can grow.
-class NoSpace {
- public:
-  NoSpace() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit none{0, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &none);
-  }
-  NoSpace(const NoSpace&) = delete;
-  NoSpace& operator=(const NoSpace&) = delete;
-  ~NoSpace() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
 
 std::string geojson(const std::string& crs, const std::string& line) {
   return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":")" + crs +
@@ -146,7 +125,7 @@ TEST_CASE("GDAL: lines are never taken as they are because the grid's system got
       error_of<InputError>([&] { read_breaklines(path, {.grid_crs = R"(PROJCS["no system"])"}); }),
       "coordinate system of the grid"));
   const std::string full = error_of<OutputError>([&] {
-    const NoSpace no_space;
+    const test::FileSizeLimit no_space(0);
     read_breaklines(path, {.grid_crs = esri_utm});
   });
   CHECK(contains(full, "grid.wkt"));

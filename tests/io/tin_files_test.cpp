@@ -11,6 +11,7 @@
 using namespace lepp;
 using test::Bytes;
 using test::contains;
+using test::error_of;
 using test::ring;
 using test::ScratchFolder;
 using test::small_tin;
@@ -194,6 +195,23 @@ TEST_CASE("the name says the format; the reference system goes beside where it h
   CHECK_FALSE(is_tin_file("a.tif"));
   CHECK(contains(tin_file_kinds(), ".obj, .ply"));
   CHECK(contains(tin_file_kinds(), " or .ele"));
+}
+
+TEST_CASE("a mesh that cannot be written leaves no .prj beside it, and the old one alone") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.crs = utm;
+  std::filesystem::create_directory(folder / "a.stl");
+  CHECK(error_of<OutputError>([&] { write_tin(tin, folder / "a.stl"); }) != "");
+  CHECK(folder.names() == std::set<std::string>{"a.stl"});
+  tin.mesh = test::two_triangles({0, 0}, {1e8, 0}, {1e8, 1e8}, {1e8 - 1, 1e8});
+  folder.put("b.prj", "old");
+  CHECK(error_of<InputError>([&] { write_tin(tin, folder / "b.stl"); }) != "");
+  CHECK(folder.text("b.prj") == "old");
+  CHECK(folder.names() == std::set<std::string>{"a.stl", "b.prj"});
+  std::filesystem::create_directory(folder / "c.prj");
+  CHECK(error_of<OutputError>([&] { write_tin(tin, folder / "c.ply"); }) != "");
+  CHECK(folder.names() == std::set<std::string>{"a.stl", "b.prj", "c.prj"});
 }
 
 TEST_CASE("a TIN in the world: rows go south, and lines of grid space north") {
