@@ -42,6 +42,7 @@ add_library(lepp_io
   lepp/io/msh.cpp
   lepp/io/msh_entities.cpp
   lepp/io/number_stream.cpp
+  lepp/io/number_word.cpp
   lepp/io/picture.cpp
   lepp/io/places.cpp
   lepp/io/plot.cpp
