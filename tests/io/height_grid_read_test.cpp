@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <tuple>
+
 #include "io/grid_texts.hpp"
 #include "support/random.hpp"
 
@@ -192,4 +194,30 @@ TEST_CASE("an ESRI ASCII grid in other angles than degrees is taken as it is, wi
   CHECK(grid.cell_width == 2);
   REQUIRE(grid.warnings.size() == 1);
   CHECK(contains(grid.warnings[0], "not in degrees"));
+}
+
+TEST_CASE("heights of more than the machine's memory are refused in every form, with what to do") {
+  const ScratchFolder folder;
+  const std::string size = "1500000";  // squared, and times 4: 9 TB, of which nothing is written
+  for (const auto& [name, head, sample] :
+       {std::tuple("a.f32", "F32 " + size + " " + size + " nan\n", 4),
+        std::tuple("a.stm", "STM " + size + " " + size + " \4\3\2\1\n", 2),
+        std::tuple(
+            "a.asc",
+            "ncols " + size + "\nnrows " + size + "\nxllcenter 0\nyllcenter 0\ncellsize 1\n1 ",
+            4)}) {
+    CAPTURE(name);
+    const auto path = folder.put(name, head);
+    std::error_code error;
+    std::filesystem::resize_file(path, head.size() + 2'250'000'000'000ULL * sample, error);
+    if (error) {
+      MESSAGE("skipped: no sparse files of terabytes here");
+      return;
+    }
+    const std::string message = error_of<RefusedError>([&] { read_height_grid(path); });
+    CHECK(contains(message, name));
+    CHECK(contains(message, "more than this machine has"));
+    CHECK(contains(message, "--tiles"));
+  }
+  CHECK(read_height_window(folder / "a.f32", {7, 7, 1, 1}).heights[0] == 0);
 }

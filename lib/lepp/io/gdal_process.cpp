@@ -1,7 +1,5 @@
 #include "lepp/io/gdal_process.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -89,20 +87,9 @@ ReceivedHeader receive_header(Helper& helper, const fs::path& path) {
   return {std::move(grid), raster.doubles};
 }
 
-void check_memory(const HeightGrid& grid, std::size_t bytes_of_height) {
-  const double there = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
-  const double wanted = double(grid.size()) * double(bytes_of_height);
-  if (wanted <= there) return;
-  throw RefusedError(grid.source,
-                     "its " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
-                         " heights take " + to_text(std::ceil(wanted / 0x1p30)) +
-                         " GiB, more than this machine has",
-                     "read it in windows");
-}
-
 template <class Height>
 void receive_heights(Helper& helper, const fs::path& path, HeightGrid& grid) {
-  check_memory(grid, sizeof(float));
+  check_memory(grid);
   grid.heights.reserve(grid.size());
   std::vector<Height> part;
   while (true) {
@@ -115,9 +102,8 @@ void receive_heights(Helper& helper, const fs::path& path, HeightGrid& grid) {
     for (std::size_t left = count; left != 0; left -= part.size()) {
       part.resize(std::min(left, step));
       if (!helper.read_all(std::as_writable_bytes(std::span(part)))) helper.fail_without_result();
-      const bool were_floats = grid.heights.are_floats();
+      check_memory(grid, std::span<const Height>(part));
       grid.heights.append(std::span<const Height>(part));
-      if (were_floats && !grid.heights.are_floats()) check_memory(grid, sizeof(double));
     }
   }
   const auto end = receive<GdalRasterEnd>(helper, gdal_end_kind, std::size_t{1} << 20);

@@ -16,10 +16,10 @@ namespace lepp {
 /// \throw RefusedError  time or memory limit
 HeightGrid read_gdal_header(const std::filesystem::path& path, const GdalOptions& options);
 
-/// The same, and the heights of a window of it, which come over a pipe. `prepare` sees the header of the whole before the window is cut out.
-/// \param window  nothing: all of it
-/// \param nodata  in place of what the file declares
-/// \throw InputError  a height is infinite, the file is damaged; RefusedError  more than the memory
+/// The same, and the heights of a window of it, which come over a pipe. `prepare` sees the header
+/// of the whole before the window is cut out. \param window  nothing: all of it \param nodata  in
+/// place of what the file declares \throw InputError  a height is infinite, the file is damaged;
+/// RefusedError  more than the memory
 ///                    of this machine
 HeightGrid read_gdal_heights(const std::filesystem::path& path,
                              const std::optional<GridWindow>& window, std::optional<double> nodata,

@@ -22,7 +22,10 @@ class TextHeights {
         room_(file.size() - whole.offset + 1 >= 2 * std::uint64_t{whole.grid.size()}) {}
 
   void run() {
-    if (room_) grid_.heights.reserve(grid_.size());
+    if (room_) {
+      check_memory(grid_);
+      grid_.heights.reserve(grid_.size());
+    }
     line_ = whole_.line;
     for (std::string_view word; stream_.next(word);) {
       if (whole_.comments && word.starts_with('#')) {
@@ -51,6 +54,7 @@ class TextHeights {
   void store(double value) {
     const bool none = nodata_.has(value) || std::isnan(value);
     if (!none && std::abs(value) > largest_height) refuse_height(stream_.where(), column_, row_);
+    check_memory(grid_, std::span<const double>(&value, none ? 0 : 1));
     grid_.heights.push_back(none ? std::numeric_limits<double>::quiet_NaN() : value);
   }
 

@@ -25,6 +25,7 @@ std::optional<TextRaster> plain_pgm_header(const InputFile& file);
 
 /// Reads the heights of a window; all of the file is passed. `grid` is grid_of_window().
 /// \throw InputError  naming the line: a height is missing, too much, infinite or no number
+/// \throw RefusedError  more memory than the machine has
 /// Cost   over 100 MB of text a second; memory for the heights, which are doubles if one of them is
 ///        no float, and less than a MiB
 void read_text_heights(const InputFile& file, const TextRaster& whole, const GridWindow& window,
