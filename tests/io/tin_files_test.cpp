@@ -160,6 +160,21 @@ TEST_CASE("Selafin in floats stores the corner that it subtracts") {
   CHECK(record<float>(bytes)[2] == 3.75f);
 }
 
+TEST_CASE("offsets beyond whole numbers: Selafin in floats refuses them, STL writes their digits") {
+  const ScratchFolder folder;
+  for (const Point corner : {Point{3e9, 0}, Point{0, -3e9}}) {
+    CAPTURE(corner.x);
+    const std::string message = error_of<RefusedError>(
+        [&] { write_selafin(ring(corner), folder / "a.slf", SelafinPrecision::floats); });
+    CHECK(contains(message, "serafind"));
+    CHECK(folder.names().empty());
+  }
+  WorldTin tin = small_tin();
+  tin.mesh = test::two_triangles({1e20, 0}, {1e20 + 1e18, 0}, {1e20 + 1e18, 1e18}, {1e20, 1e18});
+  write_stl(tin, folder / "a.stl");
+  CHECK(contains(folder.text("a.stl"), "add 1e+20 to x, 0 to y"));
+}
+
 TEST_CASE("msh, vtu and ele carry heights") {
   const ScratchFolder folder;
   WorldTin tin = small_tin();

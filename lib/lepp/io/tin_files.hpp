@@ -44,7 +44,8 @@ enum class SelafinPrecision {
 
 /// TELEMAC Selafin: one variable BOTTOM in metres, one time step. IPOBO numbers the boundary
 /// vertices loop by loop, the mesh on the left.
-/// \throw RefusedError  beyond 2^31 bytes in a record
+/// \throw RefusedError  beyond 2^31 bytes in a record; floats that are to be relative to an origin
+///                      beyond 2^31
 void write_selafin(const WorldTin& tin, const std::filesystem::path& path,
                    SelafinPrecision precision = SelafinPrecision::doubles);
 
