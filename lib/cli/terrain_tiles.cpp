@@ -90,7 +90,8 @@ class Tiles {
       : command_(command),
         report_(report),
         counts_(command.tile_counts()),
-        whole_(read_height_grid_header(command.input, command.grid_options())) {
+        file_(command.input, command.grid_options()),
+        whole_(file_.whole()) {
     if (counts_.rows >= whole_.rows || counts_.columns >= whole_.columns) {
       throw InputError(command.input.string() + ", --tiles " + command.tiles,
                        "asks for more tiles than the " + std::to_string(whole_.rows) + " x " +
@@ -118,21 +119,15 @@ class Tiles {
   }
 
  private:
-  HeightGrid read(const GridWindow& window) {
-    return read_height_window(command_.input, window, command_.grid_options());
-  }
-
-  // A pass over the file, tile by tile.
+  // A pass over the file.
   double range_of_heights() {
     double low = INFINITY, high = -INFINITY;
-    for (std::uint32_t row = 0; row < counts_.rows; ++row) {
-      for (std::uint32_t column = 0; column < counts_.columns; ++column) {
-        TerrainReport part;
-        describe(read(window_of(whole_, counts_, row, column)), part);
-        if (part.samples == 0) continue;
-        low = std::min(low, part.lowest);
-        high = std::max(high, part.highest);
-      }
+    for (const GridWindow& band : bands_of({0, 0, whole_.columns, whole_.rows})) {
+      TerrainReport part;
+      describe(file_.read(band), part);
+      if (part.samples == 0) continue;
+      low = std::min(low, part.lowest);
+      high = std::max(high, part.highest);
     }
     return low <= high ? high - low : 0;
   }
@@ -140,7 +135,7 @@ class Tiles {
   int run_tile(std::uint32_t row, std::uint32_t column) {
     const GridWindow window = window_of(whole_, counts_, row, column);
     const auto start = std::chrono::steady_clock::now();
-    GridPart part = read_grid_part(command_.input, whole_, window, command_.grid_options());
+    GridPart part = file_.read_part(window);
     report_.seconds.read += seconds_since(start);
     if (!part.grid.has_any_data()) return done;
     job_.border_corners = border_corners(part);
@@ -194,7 +189,8 @@ class Tiles {
   const TerrainCommand& command_;
   TerrainReport& report_;
   TileCounts counts_;
-  HeightGrid whole_;
+  HeightGridFile file_;
+  const HeightGrid& whole_;  // without heights
   TerrainJob job_;
   JoinedTin joined_;
 };

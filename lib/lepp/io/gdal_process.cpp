@@ -121,6 +121,8 @@ void write_wkt(const fs::path& path, const std::string& wkt) {
                     "free some space there, or set TMPDIR to a folder on another disk");
 }
 
+std::string text_of(std::optional<double> nodata) { return nodata ? to_text(*nodata) : "-"; }
+
 std::string text_of(const std::optional<GridWindow>& window) {
   if (!window) return "all";
   std::string text = std::to_string(window->column);
@@ -133,9 +135,10 @@ std::string text_of(const std::optional<GridWindow>& window) {
 
 }  // namespace
 
-HeightGrid read_gdal_header(const fs::path& path, const GdalOptions& options) {
+HeightGrid read_gdal_header(const fs::path& path, std::optional<double> nodata,
+                            const GdalOptions& options) {
   const PrivateFolder folder;
-  Helper helper(task_of(path, folder.path(), {"raster", "header", "-"}, options));
+  Helper helper(task_of(path, folder.path(), {"raster", "header", text_of(nodata)}, options));
   return receive_header(helper, path).grid;
 }
 
@@ -144,8 +147,8 @@ HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindo
                              const std::function<void(HeightGrid&)>& prepare,
                              const GdalOptions& options) {
   const PrivateFolder folder;
-  Helper helper(task_of(path, folder.path(),
-                        {"raster", text_of(window), nodata ? to_text(*nodata) : "-"}, options));
+  Helper helper(
+      task_of(path, folder.path(), {"raster", text_of(window), text_of(nodata)}, options));
   auto [whole, doubles] = receive_header(helper, path);
   prepare(whole);
   HeightGrid grid = window ? grid_of_window(whole, *window) : std::move(whole);

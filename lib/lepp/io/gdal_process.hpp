@@ -11,10 +11,12 @@
 
 namespace lepp {
 
-/// Size and georeference of band 1 of a raster, without heights.
+/// Size and georeference of band 1 of a raster, without heights. A value of no data that is given
+/// may be worth a warning.
 /// \throw InputError    no such program; not a raster, rotated, mirrored
 /// \throw RefusedError  time or memory limit
-HeightGrid read_gdal_header(const std::filesystem::path& path, const GdalOptions& options);
+HeightGrid read_gdal_header(const std::filesystem::path& path, std::optional<double> nodata,
+                            const GdalOptions& options);
 
 /// The same, and the heights of a window of it, which come over a pipe. `prepare` sees the header
 /// of the whole before the window is cut out. \param window  nothing: all of it \param nodata  in

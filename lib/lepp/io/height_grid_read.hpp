@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "lepp/io/gdal_options.hpp"
 #include "lepp/io/grid_placement.hpp"
@@ -41,7 +43,8 @@ HeightGrid read_height_grid_header(const std::filesystem::path& path,
                                    const HeightGridOptions& options = {});
 
 /// A part of a grid; its georeference is its own, the size of its cells that of the whole grid, so
-/// that neighbours match. It may be without any data. Of binary formats only the part is read.
+/// that neighbours match. It may be without any data. Of binary formats only the part is read; text
+/// is passed to its end. For many parts of one file: HeightGridFile.
 HeightGrid read_height_window(const std::filesystem::path& path, const GridWindow& window,
                               const HeightGridOptions& options = {});
 
@@ -49,6 +52,35 @@ HeightGrid read_height_window(const std::filesystem::path& path, const GridWindo
 /// \param whole  read_height_grid_header() of the file
 GridPart read_grid_part(const std::filesystem::path& path, const HeightGrid& whole,
                         const GridWindow& window, const HeightGridOptions& options = {});
+
+/// A grid file that stays open, to be read part by part, neighbours one after the other.
+///
+/// Of binary formats each part is read alone. A text file is passed to its end once, at the first
+/// part; later ones begin near their first row. And where a part of a row costs as much as all of
+/// it, in text and for lepp-gdal, up to 2^24 samples of whole rows are kept for the parts beside.
+class HeightGridFile {
+ public:
+  /// \throw InputError  as read_height_grid()
+  explicit HeightGridFile(const std::filesystem::path& path, const HeightGridOptions& options = {});
+  HeightGridFile(const HeightGridFile&) = delete;
+  HeightGridFile& operator=(const HeightGridFile&) = delete;
+  ~HeightGridFile();
+
+  /// The grid without heights.
+  const HeightGrid& whole() const;
+  /// As read_height_window(). \throw InputError  also if the file has become shorter
+  HeightGrid read(const GridWindow& window);
+  /// As read_grid_part().
+  GridPart read_part(const GridWindow& window);
+
+ private:
+  class Reader;
+  std::unique_ptr<Reader> reader_;
+};
+
+/// The window in parts of whole rows, in order, each of some 2^22 samples: to look at all heights
+/// of a grid in little memory.
+std::vector<GridWindow> bands_of(const GridWindow& window);
 
 /// \throw InputError  a grid of one row or column, or without any data
 void check_usable(const HeightGrid& grid);

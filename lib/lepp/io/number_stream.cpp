@@ -64,8 +64,7 @@ void NumberStream::skip_line() {
 }
 
 std::uint64_t NumberStream::bytes_left() const {
-  const std::uint64_t passed = offset_ - static_cast<std::uint64_t>(end_ - word_);
-  return file_.size() - std::min(file_.size(), passed);
+  return file_.size() - std::min(file_.size(), offset());
 }
 
 double NumberStream::number(std::string_view word) const {

@@ -28,6 +28,7 @@ add_library(lepp_io
   lepp/io/gmsh_tokens.cpp
   lepp/io/grid_asc.cpp
   lepp/io/grid_f32.cpp
+  lepp/io/grid_file.cpp
   lepp/io/grid_npy.cpp
   lepp/io/grid_pgm.cpp
   lepp/io/grid_placement.cpp
