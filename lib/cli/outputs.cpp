@@ -25,9 +25,7 @@ void add_output_options(CLI::App& command, OutputOptions& output, std::string& j
 }
 
 Files files_of(const fs::path& target) {
-  if (target.extension() != ".ele") return {target};
-  fs::path node = target, poly = target;
-  return {node.replace_extension(".node"), target, poly.replace_extension(".poly")};
+  return target.extension() == ".ele" ? ele_files(target) : Files{target};
 }
 
 namespace {

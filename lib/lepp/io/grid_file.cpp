@@ -1,12 +1,11 @@
 #include "lepp/io/grid_file.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/gdal_process.hpp"
 #include "lepp/io/raster_layout.hpp"
@@ -17,17 +16,10 @@ namespace lepp {
 namespace {
 
 namespace fs = std::filesystem;
-std::string extension_of(const fs::path& path) {
-  std::string text = path.extension().string();
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
+std::string extension_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 bool looks_like_asc(const InputFile& file, const fs::path& path) {
-  std::string head = file.head(64);
-  std::ranges::transform(head, head.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string head = lower_case(file.head(64));
   for (const char* key : {"ncols", "nrows", "xllc", "yllc", "cellsize", "nodata_value"}) {
     if (head.starts_with(key)) return true;
   }

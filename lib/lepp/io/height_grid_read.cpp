@@ -1,10 +1,8 @@
 #include "lepp/io/height_grid_read.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
-#include "lepp/geometry/error.hpp"
 #include "lepp/io/grid_file.hpp"
 #include "lepp/io/raster_layout.hpp"
 
@@ -122,18 +120,6 @@ GridPart read_grid_part(const fs::path& path, const HeightGrid& whole, const Gri
                         const HeightGridOptions& options) {
   const auto [all, inner] = surroundings_of(whole, window);
   return part_of(read_height_window(path, all, options), inner);
-}
-
-void check_usable(const HeightGrid& grid) {
-  if (grid.columns < 2 || grid.rows < 2) {
-    throw InputError(grid.source,
-                     "a grid of " + std::to_string(grid.columns) + " x " +
-                         std::to_string(grid.rows) + " samples has no area between them",
-                     "give at least two columns and two rows");
-  }
-  if (grid.has_any_data()) return;
-  throw InputError(grid.source, "all " + std::to_string(grid.size()) + " samples are without data",
-                   "check the value that means no data");
 }
 
 }  // namespace lepp

@@ -82,7 +82,4 @@ class HeightGridFile {
 /// of a grid in little memory.
 std::vector<GridWindow> bands_of(const GridWindow& window);
 
-/// \throw InputError  a grid of one row or column, or without any data
-void check_usable(const HeightGrid& grid);
-
 }  // namespace lepp

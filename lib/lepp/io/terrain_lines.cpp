@@ -1,11 +1,10 @@
 #include "lepp/io/terrain_lines.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/gdal_process.hpp"
 #include "lepp/io/geojson.hpp"
@@ -17,9 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_geojson(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   return extension == ".geojson" || extension == ".json";
 }
 

@@ -54,12 +54,8 @@ std::string tin_file_kinds() {
 
 std::vector<fs::path> tin_files_of(const fs::path& path, bool has_crs) {
   const std::string kind = path.extension().string();
-  const auto beside = [&](const char* extension) {
-    return fs::path(path).replace_extension(extension);
-  };
-  std::vector<fs::path> files{path};
-  if (kind == ".ele") files = {beside(".node"), path, beside(".poly")};
-  if (has_crs && kind != ".nc") files.push_back(beside(".prj"));
+  std::vector<fs::path> files = kind == ".ele" ? ele_files(path) : std::vector{path};
+  if (has_crs && kind != ".nc") files.push_back(fs::path(path).replace_extension(".prj"));
   return files;
 }
 

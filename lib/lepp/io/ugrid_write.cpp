@@ -11,6 +11,7 @@
 #include "lepp/io/classic_netcdf.hpp"
 #include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/tin_files.hpp"
+#include "lepp/triangulation/for_each_edge.hpp"
 
 namespace lepp {
 
@@ -24,16 +25,9 @@ constexpr std::int32_t first_number = 1;
 
 std::int32_t number(VertexId v) { return static_cast<std::int32_t>(v.value) + first_number; }
 
-// Each edge once.
 std::vector<HalfEdge> edges(const Mesh& mesh) {
   std::vector<HalfEdge> list;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      const auto across = mesh.twin(e);
-      if (!across || e < *across) list.push_back(e);
-    }
-  }
+  for_each_edge(mesh, [&](HalfEdge e) { list.push_back(e); });
   return list;
 }
 
