@@ -25,9 +25,7 @@ void add_output_options(CLI::App& command, OutputOptions& output, std::string& j
 }
 
 Files files_of(const fs::path& target) {
-  if (target.extension() != ".ele") return {target};
-  fs::path node = target, poly = target;
-  return {node.replace_extension(".node"), target, poly.replace_extension(".poly")};
+  return target.extension() == ".ele" ? ele_files(target) : Files{target};
 }
 
 namespace {
@@ -66,6 +64,8 @@ void print(std::FILE* stream, const std::string& text) {
 void check_target(const fs::path& target, const Files& inputs, bool force) {
   refuse_inputs(target, inputs);
   std::error_code error;
+  if (fs::is_directory(target, error))
+    throw OutputError(target.string(), "is a folder", "give the name of a file");
   if (!force && fs::is_regular_file(target, error)) {
     throw OutputError(target.string(), "exists already", "choose another name, or add --force");
   }

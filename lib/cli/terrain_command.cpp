@@ -208,7 +208,8 @@ void add_inputs(CLI::App& app, TerrainCommand& command) {
                  "width and height of a cell, where the file does not say or is wrong")
       ->expected(2)
       ->check(number_above_zero());
-  app.add_option("--nodata", command.nodata, "height that means no data");
+  app.add_option("--nodata", command.nodata,
+                 "value of the file, before scale and offset, that means no data");
   app.add_option("--clip", command.clip,
                  "polygons outside of which nothing is meshed: GeoJSON, or what GDAL reads; may be "
                  "given again");

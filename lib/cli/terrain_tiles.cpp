@@ -48,7 +48,8 @@ class Tiles {
       : command_(command),
         report_(report),
         counts_(command.tile_counts()),
-        whole_(read_height_grid_header(command.input, command.grid_options())),
+        file_(command.input, command.grid_options()),
+        whole_(file_.whole()),
         region_(command.grid_window().value_or(GridWindow{0, 0, whole_.columns, whole_.rows})) {
     check_counts();
     check_terrain_files(command, whole_);
@@ -92,18 +93,15 @@ class Tiles {
     report_.highest = highest_;
   }
 
-  // A pass over the file, tile by tile.
+  // A pass over the file.
   bool find_range() {
-    for (std::uint32_t row = 0; row < counts_.rows; ++row) {
-      for (std::uint32_t column = 0; column < counts_.columns; ++column) {
-        if (interrupted()) return false;
-        const GridWindow window = tile_window(region_, counts_, row, column);
-        TerrainReport part;
-        describe(read_height_window(command_.input, window, command_.grid_options()), part);
-        if (part.samples == 0) continue;
-        lowest_ = std::min(lowest_, part.lowest);
-        highest_ = std::max(highest_, part.highest);
-      }
+    for (const GridWindow& band : bands_of(region_)) {
+      if (interrupted()) return false;
+      TerrainReport part;
+      describe(file_.read(band), part);
+      if (part.samples == 0) continue;
+      lowest_ = std::min(lowest_, part.lowest);
+      highest_ = std::max(highest_, part.highest);
     }
     return true;
   }
@@ -151,7 +149,7 @@ class Tiles {
   int make_tile(std::uint32_t row, std::uint32_t column, TerrainFigures& figures) {
     const GridWindow window = tile_window(region_, counts_, row, column);
     const auto start = std::chrono::steady_clock::now();
-    GridPart part = read_grid_part(command_.input, whole_, window, command_.grid_options());
+    GridPart part = file_.read_part(window);
     report_.seconds.read += seconds_since(start);
     job_.border_corners = border_corners(part);
     leave_to_neighbours(part);
@@ -228,7 +226,8 @@ class Tiles {
   const TerrainCommand& command_;
   TerrainReport& report_;
   TileCounts counts_;
-  HeightGrid whole_;  // without heights
+  HeightGridFile file_;
+  const HeightGrid& whole_;  // without heights
   GridWindow region_;
   double lowest_ = INFINITY, highest_ = -INFINITY;
   TerrainJob job_;

@@ -64,6 +64,7 @@ target_sources(lepp_io PUBLIC FILE_SET HEADERS
   lepp/io/gdal_options.hpp
   lepp/io/geo.hpp
   lepp/io/gmsh_import.hpp
+  lepp/io/grid_placement.hpp
   lepp/io/height_grid_read.hpp
   lepp/io/hillshade.hpp
   lepp/io/msh.hpp

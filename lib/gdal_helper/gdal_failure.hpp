@@ -4,7 +4,10 @@
 #include <cpl_error.h>
 #include <ogr_spatialref.h>
 
+#include <cstdint>
 #include <string>
+
+#include "lepp/io/gdal_record.hpp"
 
 namespace lepp::gdal_helper {
 
@@ -15,6 +18,12 @@ inline std::string said(std::string sentence) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
   return last.empty() ? sentence : sentence + " (" + last + ")";
+}
+
+inline GdalFailure out_of_memory(std::uint64_t memory_bytes) {
+  return {ErrorKind::refused, "",
+          "reading it takes more than " + std::to_string(memory_bytes >> 20) + " MiB of memory",
+          "give a smaller file, or read it in parts: of a raster by --tiles ROWSxCOLUMNS"};
 }
 
 inline std::string wkt_of(const OGRSpatialReference& crs) {

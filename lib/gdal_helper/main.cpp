@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "confinement.hpp"
+#include "gdal_failure.hpp"
 #include "pipe.hpp"
 #include "read_lines.hpp"
 #include "read_raster.hpp"
@@ -54,12 +55,6 @@ void start_gdal() {
   GDALSetCacheMax64(GIntBig{64} << 20);
 }
 
-GdalFailure out_of_memory(std::uint64_t memory_bytes) {
-  return {ErrorKind::refused, "",
-          "reading it takes more than " + std::to_string(memory_bytes >> 20) + " MiB of memory",
-          "allow more memory"};
-}
-
 GdalLines read_guarded(const std::string& file, std::uint64_t memory_bytes) {
   std::ifstream wkt("grid.wkt", std::ios::binary);
   const std::string grid_wkt{std::istreambuf_iterator<char>(wkt), {}};
@@ -87,6 +82,7 @@ int main(int count, char** words) {
   if (!raster && !lines) return 1;
   if (!parse(words[count - 2], cpu_seconds) || !parse(words[count - 1], memory_bytes)) return 1;
   task.file = words[2];
+  task.memory_bytes = memory_bytes;
   confine(cpu_seconds, memory_bytes);
   start_gdal();
   if (raster) send_raster(task);

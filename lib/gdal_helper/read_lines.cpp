@@ -105,9 +105,14 @@ std::string name_of(const OGRSpatialReference& crs) {
 Transformation to_grid(OGRLayer& layer, const std::string& grid_wkt, GdalLines& lines) {
   const OGRSpatialReference* const of_layer = layer.GetSpatialRef();
   OGRSpatialReference grid;
-  if (of_layer == nullptr || grid_wkt.empty() ||
-      grid.importFromWkt(grid_wkt.c_str()) != OGRERR_NONE)
-    return nullptr;
+  if (of_layer == nullptr || grid_wkt.empty()) return nullptr;
+  CPLErrorReset();
+  if (grid.importFromWkt(grid_wkt.c_str()) != OGRERR_NONE) {
+    throw GdalFailure{ErrorKind::input, "",
+                      said("its coordinate system is " + name_of(*of_layer) +
+                           ", and the coordinate system of the grid is no WKT that GDAL reads"),
+                      "correct the grid's .prj file, or remove it if their coordinates agree"};
+  }
   OGRSpatialReference own(*of_layer);
   own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x first, as files have it
   grid.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);

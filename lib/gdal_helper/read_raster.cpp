@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <new>
 #include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "gdal_failure.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/sample_values.hpp"
 #include "pipe.hpp"
 
@@ -20,6 +22,7 @@ namespace lepp::gdal_helper {
 namespace {
 
 constexpr std::size_t samples_at_once = std::size_t{1} << 20;
+constexpr std::size_t most_samples_at_once = std::size_t{1} << 26;
 
 struct CloseDataset {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
@@ -97,6 +100,16 @@ Scaling scaling_of(GDALRasterBand& band) {
   return scaling;
 }
 
+// Its values of no data are those of the file, as GDAL has it, not heights.
+void warn_of_scaling(GDALRasterBand& band, GdalRaster& raster) {
+  const Scaling scaling = scaling_of(band);
+  if (scaling.is_none()) return;
+  raster.warnings.push_back(
+      "the value of no data that was given is compared with its values before "
+      "its scale of " +
+      to_text(scaling.scale) + " and offset of " + to_text(scaling.offset));
+}
+
 // True if each height is a float whatever the values are.
 bool gives_floats(GDALRasterBand& band) {
   const GDALDataType type = band.GetRasterDataType();
@@ -141,13 +154,13 @@ std::optional<double> declared_nodata(GDALRasterBand& band) {
 template <class Height>
 class HeightSender {
  public:
-  HeightSender(GDALDataset& dataset, const GridWindow& window, std::optional<double> nodata)
+  HeightSender(GDALDataset& dataset, const GridWindow& window, const RasterTask& task)
       : band_(*dataset.GetRasterBand(1)),
         window_(window),
-        nodata_(nodata ? nodata : declared_nodata(band_)),
+        memory_bytes_(task.memory_bytes),
+        nodata_(task.nodata ? task.nodata : declared_nodata(band_)),
         scaling_(scaling_of(band_)) {
-    masked_ =
-        (band_.GetMaskFlags() & (GMF_PER_DATASET | GMF_NODATA | GMF_ALL_VALID)) == GMF_PER_DATASET;
+    masked_ = has_mask(task.nodata.has_value());
   }
 
   void run() {
@@ -156,6 +169,8 @@ class HeightSender {
       send_blocks();
     } catch (const GdalFailure& failure) {
       end.failure = failure;
+    } catch (const std::bad_alloc&) {
+      end.failure = out_of_memory(memory_bytes_);
     }
     const std::uint32_t no_more = 0;
     send(std::as_bytes(std::span(&no_more, 1)));
@@ -163,14 +178,25 @@ class HeightSender {
   }
 
  private:
-  // Whole blocks of the file, so that none is read twice.
+  // A mask that says more than declared_nodata(): one of the band, of the data set, or made of an
+  // alpha band or of values of no data for all bands. The last are declared too, and give way.
+  bool has_mask(bool has_own_nodata) const {
+    const int flags = band_.GetMaskFlags();
+    if ((flags & GMF_ALL_VALID) != 0) return false;
+    if ((flags & GMF_NODATA) == 0) return true;
+    return (flags & GMF_PER_DATASET) != 0 && !has_own_nodata;
+  }
+
+  // Whole blocks of the file, so that none is read twice, unless they are huge: some files are one
+  // block.
   std::uint32_t rows_at_once() const {
     int width = 0, height = 0;
     band_.GetBlockSize(&width, &height);
     const auto block = static_cast<std::size_t>(std::max(height, 1));
     const std::size_t blocks = samples_at_once / (block * window_.columns);
+    const std::size_t most = std::max<std::size_t>(most_samples_at_once / window_.columns, 1);
     return static_cast<std::uint32_t>(
-        std::min<std::size_t>(block * std::max<std::size_t>(blocks, 1), window_.rows));
+        std::min<std::size_t>({block * std::max<std::size_t>(blocks, 1), most, window_.rows}));
   }
 
   void send_blocks() {
@@ -248,12 +274,14 @@ class HeightSender {
                                        whole(window_.columns), whole(rows), to,
                                        whole(window_.columns), whole(rows), type, 0, 0, nullptr);
     if (error == CE_None) return;
+    if (CPLGetLastErrorNo() == CPLE_OutOfMemory) throw out_of_memory(memory_bytes_);
     throw GdalFailure{ErrorKind::input, "rows from " + std::to_string(window_.row + row),
                       said("they cannot be read"), "the file is damaged: get it again"};
   }
 
   GDALRasterBand& band_;
   const GridWindow window_;
+  const std::uint64_t memory_bytes_;
   const NodataRange nodata_;
   const Scaling scaling_;
   bool masked_ = false;
@@ -269,6 +297,7 @@ void send_raster(const RasterTask& task) {
   try {
     dataset = open(task.file);
     raster = header_of(*dataset);
+    if (task.nodata) warn_of_scaling(*dataset->GetRasterBand(1), raster);
     if (task.window &&
         (std::uint64_t{task.window->column} + task.window->columns > raster.columns ||
          std::uint64_t{task.window->row} + task.window->rows > raster.rows))
@@ -276,13 +305,15 @@ void send_raster(const RasterTask& task) {
                         "choose another window"};
   } catch (const GdalFailure& failure) {
     raster.failure = failure;
+  } catch (const std::bad_alloc&) {
+    raster.failure = out_of_memory(task.memory_bytes);
   }
   send(encode(raster));
   if (raster.failure || task.header_only) return;
   const GridWindow whole{0, 0, raster.columns, raster.rows};
   const GridWindow window = task.window.value_or(whole);
-  if (raster.doubles) HeightSender<double>(*dataset, window, task.nodata).run();
-  else HeightSender<float>(*dataset, window, task.nodata).run();
+  if (raster.doubles) HeightSender<double>(*dataset, window, task).run();
+  else HeightSender<float>(*dataset, window, task).run();
 }
 
 }  // namespace lepp::gdal_helper

@@ -24,3 +24,8 @@ TEST_CASE("to_text reads back as the same double") {
 }
 
 TEST_CASE("a point reads (x, y)") { CHECK(to_text(Point{-0.5, 2}) == "(-0.5, 2)"); }
+
+TEST_CASE("lower case is that of A to Z, and leaves all other bytes alone") {
+  CHECK(lepp::lower_case("NCols_9.ASC") == "ncols_9.asc");
+  CHECK(lepp::lower_case("@[`{\xC3\x84\xFF") == "@[`{\xC3\x84\xFF");
+}

@@ -1,44 +1,20 @@
 #include "lepp/io/atomic_files.hpp"
 
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <charconv>
 #include <cmath>
-#include <csignal>
 
+#include "io/file_size_limit.hpp"
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
 
 using namespace lepp;
 using test::contains;
 using test::error_of;
+using test::FileSizeLimit;
 using test::ScratchFolder;
-
-namespace {
-
-// Files of this process cannot grow past `bytes` while this object lives.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit limit{bytes, old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &old_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit old_{};
-  void (*handler_)(int);
-};
-
-}  // namespace
 
 TEST_CASE("a committed file has the text that was written, and nothing else is left") {
   const ScratchFolder folder;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/file_size_limit.hpp"
 #include "io/scratch_folder.hpp"
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/height_grid_read.hpp"
@@ -22,6 +23,21 @@ std::string csv(const std::vector<std::string>& geometries) {
   std::string text = "id,WKT\n";
   for (const std::string& geometry : geometries) text += "1,\"" + geometry + "\"\n";
   return text;
+}
+
+// Zone 32 of UTM as .prj files of ESRI have it, without a code.
+const std::string esri_utm =
+    R"(PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",)"
+    R"(SPHEROID["WGS_1984",6378137.0,298.257223563]],PRIMEM["Greenwich",0.0],)"
+    R"(UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)"
+    R"(PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],)"
+    R"(PARAMETER["Central_Meridian",9.0],PARAMETER["Scale_Factor",0.9996],)"
+    R"(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])";
+
+std::string geojson(const std::string& crs, const std::string& line) {
+  return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":")" + crs +
+         R"("}},"features":[{"type":"Feature","properties":{},"geometry":{"type":"LineString",)" +
+         R"("coordinates":)" + line + "}}]}";
 }
 
 }  // namespace
@@ -82,4 +98,35 @@ TEST_CASE("GDAL: lines in another coordinate system are converted to that of the
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].points[0].x == doctest::Approx(500000).epsilon(1e-9));
   CHECK(lines[0].points[1].y == doctest::Approx(3806500).epsilon(1e-3));
+}
+
+TEST_CASE("GDAL: GeoJSON that says what it is in is converted to a system without a code") {
+  const ScratchFolder folder;
+  std::vector<std::string> warnings;
+  const TerrainLineOptions options{.grid_crs = esri_utm, .warnings = &warnings};
+  for (const char* crs : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326"}) {
+    CAPTURE(crs);
+    const auto path = folder.put("a.geojson", geojson(crs, "[[9,0],[9,42]]"));
+    const auto lines = read_breaklines(path, options);
+    REQUIRE(lines.size() == 1);
+    CHECK(lines[0].points[0].x == doctest::Approx(500000).epsilon(1e-9));
+    CHECK(lines[0].points[1].y == doctest::Approx(4649776).epsilon(1e-6));
+  }
+  CHECK(warnings.size() == 2);
+  const auto same = folder.put("b.geojson", geojson("EPSG:32632", "[[500000,1],[500001,2]]"));
+  CHECK(read_breaklines(same, options)[0].points == std::vector<Point>{{500000, 1}, {500001, 2}});
+  CHECK(warnings.size() == 2);
+}
+
+TEST_CASE("GDAL: lines are never taken as they are because the grid's system got lost") {
+  const ScratchFolder folder;
+  const auto path = folder.put("a.geojson", geojson("EPSG:4326", "[[9,0],[9,42]]"));
+  CHECK(contains(
+      error_of<InputError>([&] { read_breaklines(path, {.grid_crs = R"(PROJCS["no system"])"}); }),
+      "coordinate system of the grid"));
+  const std::string full = error_of<OutputError>([&] {
+    const test::FileSizeLimit no_space(0);
+    read_breaklines(path, {.grid_crs = esri_utm});
+  });
+  CHECK(contains(full, "grid.wkt"));
 }

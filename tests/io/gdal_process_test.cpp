@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "io/scratch_folder.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/height_grid_read.hpp"
 #include "support/real_inputs.hpp"
 
@@ -51,6 +52,16 @@ std::vector<double> values_of(const HeightGrid& grid) {
   return values;
 }
 
+// "1 2 - 4": - where there is no data.
+std::string shown(const HeightGrid& grid) {
+  std::string text;
+  for (const double h : values_of(grid)) {
+    if (!text.empty()) text += ' ';
+    text += std::isnan(h) ? "-" : to_text(h);
+  }
+  return text;
+}
+
 std::string refusal(const std::string& georeference) {
   return error_of<InputError>([&] {
     read<float>("Float32", {1, 2, 3, 4, 5, 6}, "", georeference);
@@ -85,6 +96,12 @@ TEST_CASE("GDAL: a south-up raster has its first row in the south") {
 TEST_CASE("GDAL: rotated and mirrored rasters are refused") {
   CHECK(contains(refusal("<GeoTransform>0, 1, 0.1, 0, 0.1, -1</GeoTransform>"), "rotated"));
   CHECK(contains(refusal("<GeoTransform>0, -1, 0, 0, 0, -1</GeoTransform>"), "west to east"));
+}
+
+TEST_CASE("GDAL: a raster whose place is no number is refused, and one too far away") {
+  CHECK(contains(refusal("<GeoTransform>nan, 10, 0, 50, 0, -5</GeoTransform>"), "not finite"));
+  CHECK(contains(refusal("<GeoTransform>100, 10, 0, inf, 0, -5</GeoTransform>"), "not finite"));
+  CHECK(contains(refusal("<GeoTransform>1e30, 10, 0, 50, 0, -5</GeoTransform>"), "subtract"));
 }
 
 TEST_CASE("GDAL: without a georeference the cell size is asked for") {
@@ -128,6 +145,29 @@ TEST_CASE("GDAL: no data by declaration, by NaN, and by a double that the floats
         Places{3});
 }
 
+TEST_CASE("GDAL: masks are applied: of a band, of the data set, and its values of no data") {
+  const auto heights = [](const std::string& georeference, const std::string& band,
+                          std::optional<double> nodata = {}) {
+    const ScratchFolder folder;
+    folder.put("data.bin", bytes_of_values<std::int16_t>({1, 2, 3, 4, 5, 6}));
+    folder.put("mask.bin", std::string("\377\0\1\377\377\0", 6));
+    const auto path = folder.put("a.vrt", vrt("Int16", 2, georeference, band));
+    return shown(read_height_grid(path, {.nodata = nodata}));
+  };
+  const std::string mask =
+      "<MaskBand><VRTRasterBand dataType=\"Byte\" subClass=\"VRTRawRasterBand\">"
+      "<SourceFilename relativeToVRT=\"1\">mask.bin</SourceFilename><ImageOffset>0</ImageOffset>"
+      "<PixelOffset>1</PixelOffset><LineOffset>3</LineOffset></VRTRasterBand></MaskBand>";
+  const std::string nodata = "<NoDataValue>4</NoDataValue>";
+  const std::string values = "<Metadata><MDI key=\"NODATA_VALUES\">4</MDI></Metadata>";
+  CHECK(heights(north_up, "") == "1 2 3 4 5 6");
+  CHECK(heights(north_up, mask) == "1 - 3 4 5 -");
+  CHECK(heights(north_up + mask, "") == "1 - 3 4 5 -");
+  CHECK(heights(north_up, nodata + mask) == "1 - 3 - 5 -");
+  CHECK(heights(north_up + values, "") == "1 2 3 - 5 6");
+  CHECK(heights(north_up + values, "", 5) == "1 2 3 4 - 6");
+}
+
 TEST_CASE("GDAL: scale and offset are applied, to the last digit") {
   const auto scaled = [](const std::string& scale) {
     return read<std::int16_t>(
@@ -141,6 +181,18 @@ TEST_CASE("GDAL: scale and offset are applied, to the last digit") {
   CHECK(scaled("0.1")[5] == 6 * 0.1 + 100);
   CHECK(read<float>("Float32", {1, 2, 3, 4, 5, 0.1F}, "<Scale>0.1</Scale>").heights[5] ==
         0.1F * 0.1);
+}
+
+TEST_CASE("GDAL: of a scaled band, no data is a value of the file, and a warning says so") {
+  const std::string scaled = "<Offset>100</Offset><Scale>0.1</Scale>";
+  const auto grid = [&](double nodata, const std::string& band) {
+    return read<std::int16_t>("Int16", {1, 2, -9999, 4, 5, 6}, band, north_up, {.nodata = nodata});
+  };
+  CHECK(std::isnan(grid(-9999, scaled).heights[2]));
+  CHECK(grid(-899.9, scaled).heights[2] == doctest::Approx(-899.9));
+  REQUIRE(grid(-899.9, scaled).warnings.size() == 1);
+  CHECK(contains(grid(-899.9, scaled).warnings[0], "before its scale of 0.1 and offset of 100"));
+  CHECK(grid(-9999, "").warnings.empty());
 }
 
 TEST_CASE("GDAL: heights of every type are those of the file") {
@@ -210,6 +262,21 @@ TEST_CASE("GDAL: what is no raster, what is cut short and what claims too much i
                                "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>");
   CHECK(
       contains(error_of<RefusedError>([&] { read_height_grid(huge); }), "more than this machine"));
+}
+
+TEST_CASE("GDAL: memory that the helper may not have is said, and what to do") {
+  const ScratchFolder folder;
+  const auto path = folder.put(
+      "a.vrt",
+      "<VRTDataset rasterXSize=\"32768\" rasterYSize=\"32768\"><VRTRasterBand dataType=\"Int64\" "
+      "band=\"1\" blockYSize=\"2048\"/></VRTDataset>");
+  HeightGridOptions options;
+  options.gdal.memory_bytes = std::size_t{512} << 20;
+  const std::string message = error_of<RefusedError>([&] {
+    read_height_window(path, {0, 0, 32768, 2048}, options);
+  });
+  CHECK(contains(message, "takes more than 512 MiB of memory"));
+  CHECK(contains(message, "--tiles"));
 }
 
 TEST_CASE("GDAL: reading ends when time is up, and when the user has had enough") {

@@ -2,74 +2,22 @@
 
 #include <doctest/doctest.h>
 
-#include <bit>
-#include <cstdlib>
-#include <cstring>
-
 #include "io/scratch_folder.hpp"
+#include "io/small_tins.hpp"
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/poly.hpp"
 #include "support/hand_made.hpp"
 
 using namespace lepp;
+using test::Bytes;
 using test::contains;
+using test::error_of;
+using test::ring;
 using test::ScratchFolder;
+using test::small_tin;
+using test::utm;
 
 namespace {
-
-// The square of hand_made.hpp with a height per corner.
-WorldTin small_tin() {
-  WorldTin tin;
-  tin.mesh = test::square();
-  tin.heights = {0, 1.5, -2, 0.1};
-  tin.title = "small";
-  return tin;
-}
-
-// A square with a square hole, and the same far from the origin: 8 triangles.
-WorldTin ring(Point corner = {0, 0}) {
-  std::vector<Point> points = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
-  for (Point& p : points) p = p + corner;
-  WorldTin tin;
-  tin.mesh = test::from_triangles(
-      points,
-      {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6}, {3, 7, 6}, {3, 0, 7}, {0, 4, 7}});
-  tin.heights.assign(8, 10);
-  tin.title = "ring";
-  return tin;
-}
-
-const char* const utm =
-    "PROJCS[\"WGS 84 / UTM zone 11N\",GEOGCS[\"WGS 84\",AUTHORITY[\"EPSG\",\"4326\"]],"
-    "AUTHORITY[\"EPSG\",\"32611\"]]";
-
-// Reads numbers from the bytes of a file.
-class Bytes {
- public:
-  Bytes(std::string text, std::endian order) : text_(std::move(text)), order_(order) {}
-
-  template <class Number>
-  Number next() {
-    std::array<char, sizeof(Number)> bytes;
-    REQUIRE(at_ + bytes.size() <= text_.size());
-    std::memcpy(bytes.data(), text_.data() + at_, bytes.size());
-    if (order_ != std::endian::native) std::reverse(bytes.begin(), bytes.end());
-    at_ += bytes.size();
-    return std::bit_cast<Number>(bytes);
-  }
-  std::string text(std::size_t n) {
-    REQUIRE(at_ + n <= text_.size());
-    at_ += n;
-    return text_.substr(at_ - n, n);
-  }
-  void go_to(std::size_t at) { at_ = at; }
-  bool at_end() const { return at_ == text_.size(); }
-
- private:
-  std::string text_;
-  std::endian order_;
-  std::size_t at_ = 0;
-};
 
 // A record of a Fortran file, whose length stands before and after it.
 template <class Number>
@@ -212,37 +160,19 @@ TEST_CASE("Selafin in floats stores the corner that it subtracts") {
   CHECK(record<float>(bytes)[2] == 3.75f);
 }
 
-TEST_CASE("netCDF: header, offsets and values of a small mesh") {
+TEST_CASE("offsets beyond whole numbers: Selafin in floats refuses them, STL writes their digits") {
   const ScratchFolder folder;
-  write_ugrid(small_tin(), folder / "a.nc");
-  const std::string text = folder.text("a.nc");
-  CHECK(text.starts_with(std::string("CDF\x02\0\0\0\0\0\0\0\x0A\0\0\0\x05", 16)));
-  // The last values are the corners of the triangles, before them the five edges.
-  Bytes bytes(text, std::endian::big);
-  bytes.go_to(text.size() - 24);
-  for (const int v : {1, 2, 3, 1, 3, 4}) CHECK(bytes.next<std::int32_t>() == v);
-  bytes.go_to(text.size() - 24 - 40 - 32);
-  for (const double h : {0., 1.5, -2., 0.1}) CHECK(bytes.next<double>() == h);
-  // The offset of the last variable stands at the end of the header and tells where it starts.
-  const std::size_t values = text.size() - 24 - 40 - 3 * 32 - 4;
-  bytes.go_to(values - 8);
-  CHECK(bytes.next<std::uint64_t>() == text.size() - 24);
-  CHECK_FALSE(contains(text, "grid_mapping"));
-}
-
-TEST_CASE("netCDF carries the coordinate reference system, degrees by their names") {
-  const ScratchFolder folder;
+  for (const Point corner : {Point{3e9, 0}, Point{0, -3e9}}) {
+    CAPTURE(corner.x);
+    const std::string message = error_of<RefusedError>(
+        [&] { write_selafin(ring(corner), folder / "a.slf", SelafinPrecision::floats); });
+    CHECK(contains(message, "serafind"));
+    CHECK(folder.names().empty());
+  }
   WorldTin tin = small_tin();
-  tin.crs = utm;
-  write_ugrid(tin, folder / "a.nc");
-  const std::string projected = folder.text("a.nc");
-  CHECK(contains(projected, utm));
-  CHECK(contains(projected, "projection_x_coordinate"));
-  CHECK(contains(projected, std::string("epsg\0\0\0\x04\0\0\0\x01\0\0\x7F\x63", 16)));  // 32611
-  tin.degrees = true;
-  write_ugrid(tin, folder / "b.nc");
-  CHECK(contains(folder.text("b.nc"), "latitude_longitude"));
-  CHECK(contains(folder.text("b.nc"), "degrees_north"));
+  tin.mesh = test::two_triangles({1e20, 0}, {1e20 + 1e18, 0}, {1e20 + 1e18, 1e18}, {1e20, 1e18});
+  write_stl(tin, folder / "a.stl");
+  CHECK(contains(folder.text("a.stl"), "add 1e+20 to x, 0 to y"));
 }
 
 TEST_CASE("a .prj beside the TIN is written, but left as it is where it says the same") {
@@ -266,22 +196,6 @@ TEST_CASE("a .prj beside the TIN is written, but left as it is where it says the
   }
   CHECK_FALSE(is_prj_of(folder / "none.prj", tin.crs));
   CHECK_FALSE(is_prj_of(folder / "a.obj", tin.crs));
-}
-
-TEST_CASE("ncdump reads what we write, where it is installed") {
-  if (std::system("command -v ncdump > /dev/null") != 0) return;
-  const ScratchFolder folder;
-  WorldTin tin = ring();
-  tin.crs = utm;
-  write_ugrid(tin, folder / "a.nc");
-  const std::string out = (folder / "a.cdl").string();
-  REQUIRE(std::system(("ncdump '" + (folder / "a.nc").string() + "' > '" + out + "'").c_str()) ==
-          0);
-  const std::string text = folder.text("a.cdl");
-  CHECK(contains(text, "mesh2d_nNodes = 8 ;"));
-  CHECK(contains(text, "mesh2d_nEdges = 16 ;"));
-  CHECK(contains(text, "mesh2d_node_x = 0, 3, 3, 0, 1, 2, 2, 1 ;"));
-  CHECK(contains(text, "projected_coordinate_system = 32611 ;"));
 }
 
 TEST_CASE("msh, vtu and ele carry heights") {
@@ -319,6 +233,23 @@ TEST_CASE("the name says the format; the reference system goes beside where it h
   CHECK_FALSE(is_tin_file("a.tif"));
   CHECK(contains(tin_file_kinds(), ".obj, .ply"));
   CHECK(contains(tin_file_kinds(), " or .ele"));
+}
+
+TEST_CASE("a mesh that cannot be written leaves no .prj beside it, and the old one alone") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.crs = utm;
+  std::filesystem::create_directory(folder / "a.stl");
+  CHECK(error_of<OutputError>([&] { write_tin(tin, folder / "a.stl"); }) != "");
+  CHECK(folder.names() == std::set<std::string>{"a.stl"});
+  tin.mesh = test::two_triangles({0, 0}, {1e8, 0}, {1e8, 1e8}, {1e8 - 1, 1e8});
+  folder.put("b.prj", "old");
+  CHECK(error_of<InputError>([&] { write_tin(tin, folder / "b.stl"); }) != "");
+  CHECK(folder.text("b.prj") == "old");
+  CHECK(folder.names() == std::set<std::string>{"a.stl", "b.prj"});
+  std::filesystem::create_directory(folder / "c.prj");
+  CHECK(error_of<OutputError>([&] { write_tin(tin, folder / "c.ply"); }) != "");
+  CHECK(folder.names() == std::set<std::string>{"a.stl", "b.prj", "c.prj"});
 }
 
 TEST_CASE("a TIN in the world: rows go south, and lines of grid space north") {

@@ -119,6 +119,20 @@ TEST_CASE("every format is written, and no file is overwritten without --force")
   CHECK(folder.text("taken.png") == "x");
 }
 
+TEST_CASE("a folder in place of an output is found before any work") {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "a.stl");
+  fs::create_directory(folder / "b.png");
+  // Work would find first that the grid is not there.
+  for (const char* options : {"-o a.stl --force", "-o a.ply --picture b.png --force"}) {
+    CAPTURE(options);
+    const Outcome outcome =
+        run(folder.path(), "terrain none.asc --max-error 1 " + std::string(options));
+    CHECK(outcome.status == 5);
+    CHECK(has(outcome.err, "is a folder"));
+  }
+}
+
 TEST_CASE("a number of vertices that is too small for the error is status 3 and writes nothing") {
   const ScratchFolder folder;
   const std::string command = "terrain " + hill() + " -o t.obj --max-vertices 120 ";

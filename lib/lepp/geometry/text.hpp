@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "lepp/geometry/point.hpp"
 
@@ -11,5 +12,8 @@ std::string to_text(double value);
 
 /// "(x, y)", each coordinate as above: how every message names a place.
 std::string to_text(Point p);
+
+/// With the letters A to Z small, in every locale.
+std::string lower_case(std::string_view text);
 
 }  // namespace lepp

@@ -153,6 +153,7 @@ void OutputFile::flush() {
 }
 
 void OutputFile::close() {
+  if (descriptor_ < 0) return;
   flush();
   if (!temporary_.empty() && ::fsync(descriptor_) != 0) fail("write to the disk", errno);
   const int descriptor = std::exchange(descriptor_, -1);
@@ -202,8 +203,12 @@ OutputFile& AtomicFiles::add(const fs::path& target) {
   return *files_.back();
 }
 
-void AtomicFiles::commit() {
+void AtomicFiles::prepare() {
   for (const auto& file : files_) file->close();
+}
+
+void AtomicFiles::commit() {
+  prepare();
   if (files_.size() > 1) {
     for (const auto& file : files_) file->keep_old();
   }

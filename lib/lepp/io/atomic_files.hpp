@@ -49,7 +49,7 @@ class OutputFile {
     if (buffer_size - used_ < size) flush();
     return buffer_.get() + used_;
   }
-  void close();        // flush, fsync, close
+  void close();        // flush, fsync, close; once
   void keep_old();     // gives the old file a second name
   void rename();       // temporary to target
   void restore_old();  // undoes rename()
@@ -86,7 +86,12 @@ class AtomicFiles {
   /// \throw OutputError  no such folder, no permission, the target is a folder, ...
   OutputFile& add(const std::filesystem::path& target);
 
+  /// Writes all files out under their temporary names, after which they are complete and only
+  /// commit() is left to do: for a set that goes with files of others.
   /// \throw OutputError  naming the file and what the system said
+  void prepare();
+
+  /// prepare(), and gives the files their names. \throw OutputError  likewise
   void commit();
 
  private:

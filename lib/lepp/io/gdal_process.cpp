@@ -1,7 +1,5 @@
 #include "lepp/io/gdal_process.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -90,20 +88,9 @@ ReceivedHeader receive_header(Helper& helper, const fs::path& path) {
   return {std::move(grid), raster.doubles};
 }
 
-void check_memory(const HeightGrid& grid, std::size_t bytes_of_height) {
-  const double there = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
-  const double wanted = double(grid.size()) * double(bytes_of_height);
-  if (wanted <= there) return;
-  throw RefusedError(grid.source,
-                     "its " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
-                         " heights take " + to_text(std::ceil(wanted / 0x1p30)) +
-                         " GiB, more than this machine has",
-                     "read it in windows");
-}
-
 template <class Height>
 void receive_heights(Helper& helper, const fs::path& path, HeightGrid& grid) {
-  check_memory(grid, sizeof(float));
+  check_memory(grid);
   grid.heights.reserve(grid.size());
   std::vector<Height> part;
   while (true) {
@@ -116,15 +103,26 @@ void receive_heights(Helper& helper, const fs::path& path, HeightGrid& grid) {
     for (std::size_t left = count; left != 0; left -= part.size()) {
       part.resize(std::min(left, step));
       if (!helper.read_all(std::as_writable_bytes(std::span(part)))) helper.fail_without_result();
-      const bool were_floats = grid.heights.are_floats();
+      check_memory(grid, std::span<const Height>(part));
       grid.heights.append(std::span<const Height>(part));
-      if (were_floats && !grid.heights.are_floats()) check_memory(grid, sizeof(double));
     }
   }
   const auto end = receive<GdalRasterEnd>(helper, gdal_end_kind, std::size_t{1} << 20);
   if (end.failure) throw_failure(*end.failure, path);
   if (grid.heights.size() != grid.size()) helper.fail_without_result();
 }
+
+// Cut short, it would be another coordinate system, or none.
+void write_wkt(const fs::path& path, const std::string& wkt) {
+  std::ofstream file(path, std::ios::binary);
+  file << wkt;
+  file.close();
+  if (file) return;
+  throw OutputError(path.string(), "this temporary file cannot be written",
+                    "free some space there, or set TMPDIR to a folder on another disk");
+}
+
+std::string text_of(std::optional<double> nodata) { return nodata ? to_text(*nodata) : "-"; }
 
 std::string text_of(const std::optional<GridWindow>& window) {
   if (!window) return "all";
@@ -138,9 +136,10 @@ std::string text_of(const std::optional<GridWindow>& window) {
 
 }  // namespace
 
-HeightGrid read_gdal_header(const fs::path& path, const GdalOptions& options) {
+HeightGrid read_gdal_header(const fs::path& path, std::optional<double> nodata,
+                            const GdalOptions& options) {
   const PrivateFolder folder;
-  Helper helper(task_of(path, folder.path(), {"raster", "header", "-"}, options));
+  Helper helper(task_of(path, folder.path(), {"raster", "header", text_of(nodata)}, options));
   return receive_header(helper, path).grid;
 }
 
@@ -149,8 +148,8 @@ HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindo
                              const std::function<void(HeightGrid&)>& prepare,
                              const GdalOptions& options) {
   const PrivateFolder folder;
-  Helper helper(task_of(path, folder.path(),
-                        {"raster", text_of(window), nodata ? to_text(*nodata) : "-"}, options));
+  Helper helper(
+      task_of(path, folder.path(), {"raster", text_of(window), text_of(nodata)}, options));
   auto [whole, doubles] = receive_header(helper, path);
   prepare(whole);
   HeightGrid grid = window ? grid_of_window(whole, *window) : std::move(whole);
@@ -162,7 +161,7 @@ HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindo
 GdalLines read_gdal_lines(const fs::path& path, const std::string& grid_crs,
                           const GdalOptions& options) {
   const PrivateFolder folder;
-  std::ofstream(folder.path() / "grid.wkt", std::ios::binary) << grid_crs;
+  write_wkt(folder.path() / "grid.wkt", grid_crs);
   Helper helper(task_of(path, folder.path(), {"lines"}, options));
   GdalLines lines = receive<GdalLines>(helper, gdal_lines_kind, options.memory_bytes);
   if (lines.failure) throw_failure(*lines.failure, path);

@@ -17,18 +17,10 @@ constexpr std::array<const char*, keys> names = {
     "ncols",     "nrows",    "xllcorner", "yllcorner", "xllcenter",
     "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
 
-std::string lower(std::string_view word) {
-  std::string text(word.substr(0, 40));
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 bool starts_a_number(std::string_view word) {
   const char c = word[0];
-  return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || lower(word) == "nan" ||
-         lower(word).starts_with("inf");
+  return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' ||
+         lower_case(word.substr(0, 3)) == "nan" || lower_case(word.substr(0, 3)) == "inf";
 }
 
 class AscHeader {
@@ -62,7 +54,7 @@ class AscHeader {
   }
 
   std::size_t key_of(std::string_view word) {
-    const std::string text = lower(word);
+    const std::string text = lower_case(word.substr(0, 40));
     for (std::size_t i = 0; i < keys; ++i) {
       if (text == names[i]) return i;
     }

@@ -1,8 +1,9 @@
 #include "lepp/io/header_words.hpp"
 
-#include <charconv>
+#include <algorithm>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/number_word.hpp"
 
 namespace lepp {
 
@@ -18,12 +19,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }
 
 double header_number(const InputFile& file, std::string_view word) {
-  double value = 0;
-  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc() && end == digits.data() + digits.size()) return value;
-  throw InputError(file.name() + ", header",
-                   "\"" + std::string(word.substr(0, 40)) + "\" is not a number",
+  if (const auto value = number_of(word)) return *value;
+  throw InputError(file.name() + ", header", quoted(word) + " is not a number",
                    "correct the header");
 }
 

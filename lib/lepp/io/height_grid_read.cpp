@@ -1,147 +1,105 @@
 #include "lepp/io/height_grid_read.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <cmath>
-#include <string>
-#include <variant>
+#include <utility>
 
-#include "lepp/geometry/error.hpp"
-#include "lepp/io/gdal_process.hpp"
-#include "lepp/io/input_file.hpp"
+#include "lepp/io/grid_file.hpp"
 #include "lepp/io/raster_layout.hpp"
-#include "lepp/io/text_file.hpp"
-#include "lepp/io/text_grid.hpp"
 
 namespace lepp {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-namespace fs = std::filesystem;
-/// Of another format, that GDAL may know.
-struct GdalFile {};
-using Raster = std::variant<BinaryRaster, TextRaster, GdalFile>;
+// A window and one step around it, as far as the whole goes; and the window in that.
+struct Surroundings {
+  GridWindow all, inner;
+};
 
-std::string extension_of(const fs::path& path) {
-  std::string text = path.extension().string();
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+Surroundings surroundings_of(const HeightGrid& whole, const GridWindow& window) {
+  grid_of_window(whole, window);  // throws if it sticks out
+  const std::uint32_t west = window.column > 0 ? 1 : 0, above = window.row > 0 ? 1 : 0;
+  const std::uint32_t east = window.column + window.columns < whole.columns ? 1 : 0;
+  const std::uint32_t below = window.row + window.rows < whole.rows ? 1 : 0;
+  return {{window.column - west, window.row - above, window.columns + west + east,
+           window.rows + above + below},
+          {west, above, window.columns, window.rows}};
 }
 
-bool looks_like_asc(const InputFile& file, const fs::path& path) {
-  std::string head = file.head(64);
-  std::ranges::transform(head, head.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const char* key : {"ncols", "nrows", "xllc", "yllc", "cellsize", "nodata_value"}) {
-    if (head.starts_with(key)) return true;
+// Whole rows from `first_row` of a file on, of which some are wanted.
+HeightGrid cut(const HeightGrid& rows, std::uint32_t first_row, const HeightGrid& whole,
+               const GridWindow& window) {
+  HeightGrid grid = grid_of_window(whole, window);
+  grid.heights.reserve(grid.size());
+  for (std::uint32_t row = 0; row < window.rows; ++row) {
+    const std::size_t first = rows.index(window.column, window.row + row - first_row);
+    rows.heights.visit([&](auto all) { grid.heights.append(all.subspan(first, window.columns)); });
   }
-  return extension_of(path) == ".asc";
+  return grid;
 }
 
-// The coordinate system beside an ESRI ASCII grid.
-void read_prj(const fs::path& path, HeightGrid& grid) {
-  constexpr std::uint64_t most = 1 << 16;
-  fs::path beside = path;
-  beside.replace_extension(".prj");
-  std::error_code error;
-  if (!fs::is_regular_file(beside, error) || fs::file_size(beside, error) == 0) return;
-  grid.files.push_back(beside.string());
-  std::string text = read_text_file(beside, most).text;
-  text.erase(text.find_last_not_of(" \t\r\n") + 1);
-  for (const char* geographic : {"GEOGCS[", "GEOGCRS[", "GEODCRS["}) {
-    if (text.starts_with(geographic)) grid.degrees = true;
-  }
-  if (text.find('[') != text.npos) grid.crs = std::move(text);
-}
+}  // namespace
 
-Raster read_header(const InputFile& file, const fs::path& path) {
-  if (file.size() == 0) throw InputError(file.name(), "the file is empty", "give a file with data");
-  using Reader = std::optional<BinaryRaster> (*)(const InputFile&);
-  for (const Reader reader :
-       {Reader(f32_header), Reader(npy_header), Reader(pgm_header), Reader(stm_header)}) {
-    if (auto raster = reader(file)) return *std::move(raster);
-  }
-  if (auto raster = plain_pgm_header(file)) return *std::move(raster);
-  if (looks_like_asc(file, path)) {
-    TextRaster raster = asc_header(file);
-    read_prj(path, raster.grid);
-    return raster;
-  }
-  for (const char* known : {".f32", ".npy", ".pgm", ".stm"}) {
-    if (extension_of(path) != known) continue;
-    throw InputError(file.name(), std::string("does not begin as a ") + known + " file does",
-                     "export it again, or name it after what it is");
-  }
-  return GdalFile{};
-}
-
-void apply(const HeightGridOptions& options, HeightGrid& grid) {
-  if (options.cell) {
-    const auto [width, height] = *options.cell;
-    if (!(width > 0 && height > 0 && std::isfinite(width) && std::isfinite(height)))
-      throw InputError("the cell size", "is not above 0", "give width and height of a cell");
-    grid.cell_width = width;
-    grid.cell_height = height;
-  } else if (grid.degrees) {
-    set_cell_from_degrees(grid);
-  } else if (grid.georeferenced) {
-    grid.cell_width = grid.step_x;
-    grid.cell_height = std::abs(grid.step_y);
-  }
-  if (grid.georeferenced) return;
-  grid.step_x = grid.cell_width;
-  grid.step_y = -grid.cell_height;
-  grid.origin = {0, double(grid.rows - 1) * grid.cell_height};
-}
-
-void set_nodata(Raster& raster, double nodata) {
-  if (auto* binary = std::get_if<BinaryRaster>(&raster)) binary->layout.nodata = nodata;
-  if (auto* text = std::get_if<TextRaster>(&raster)) text->nodata = nodata;
-}
-
-/// One grid file, opened: every way to read it.
-class GridFile {
+class HeightGridFile::Reader {
  public:
-  GridFile(const fs::path& path, const HeightGridOptions& options)
-      : path_(path), options_(options), file_(path), raster_(read_header(file_, path)) {
-    if (options.nodata) set_nodata(raster_, *options.nodata);
-    if (auto* binary = std::get_if<BinaryRaster>(&raster_)) apply(options, binary->grid);
-    if (auto* text = std::get_if<TextRaster>(&raster_)) apply(options, text->grid);
-  }
+  Reader(const fs::path& path, const HeightGridOptions& options)
+      : file_(path, options), whole_(file_.header()) {}
 
-  HeightGrid header() const {
-    if (const auto* binary = std::get_if<BinaryRaster>(&raster_)) return binary->grid;
-    if (const auto* text = std::get_if<TextRaster>(&raster_)) return text->grid;
-    HeightGrid grid = read_gdal_header(path_, options_.gdal);
-    apply(options_, grid);
-    return grid;
-  }
+  const HeightGrid& whole() const { return whole_; }
 
-  /// \param window  nothing: all of it
-  HeightGrid read(const std::optional<GridWindow>& window) const {
-    if (std::holds_alternative<GdalFile>(raster_)) {
-      const auto prepare = [&](HeightGrid& whole) { apply(options_, whole); };
-      return read_gdal_heights(path_, window, options_.nodata, prepare, options_.gdal);
+  HeightGrid read(const GridWindow& window) {
+    if (!keeps_rows_of(window)) return file_.read(window);
+    if (!has_rows_of(window)) {
+      rows_ = {};  // before the next ones take memory
+      rows_ = file_.read(GridWindow{0, window.row, whole_.columns, window.rows});
+      first_row_ = window.row;
     }
-    const HeightGrid whole = header();
-    const GridWindow part = window.value_or(GridWindow{0, 0, whole.columns, whole.rows});
-    HeightGrid grid = grid_of_window(whole, part);
-    if (const auto* binary = std::get_if<BinaryRaster>(&raster_))
-      read_samples(file_, *binary, part, grid);
-    else read_text_heights(file_, std::get<TextRaster>(raster_), part, grid);
-    return grid;
+    return cut(rows_, first_row_, whole_, window);
   }
 
  private:
-  const fs::path path_;
-  const HeightGridOptions& options_;
-  const InputFile file_;
-  Raster raster_;
+  // To read a part of a row of these files costs as much as all of it.
+  bool keeps_rows_of(const GridWindow& window) const {
+    constexpr std::uint64_t most_samples = std::uint64_t{1} << 24;
+    grid_of_window(whole_, window);  // throws if it sticks out
+    return !file_.is_binary() && window.columns < whole_.columns &&
+           std::uint64_t{window.rows} * whole_.columns <= most_samples;
+  }
+  bool has_rows_of(const GridWindow& window) const {
+    return window.row >= first_row_ && window.row - first_row_ < rows_.rows &&
+           window.rows <= rows_.rows - (window.row - first_row_);
+  }
+
+  GridFile file_;
+  const HeightGrid whole_;
+  HeightGrid rows_;  // all columns, from first_row_ on
+  std::uint32_t first_row_ = 0;
 };
 
-}  // namespace
+HeightGridFile::HeightGridFile(const fs::path& path, const HeightGridOptions& options)
+    : reader_(std::make_unique<Reader>(path, options)) {}
+HeightGridFile::~HeightGridFile() = default;
+
+const HeightGrid& HeightGridFile::whole() const { return reader_->whole(); }
+
+HeightGrid HeightGridFile::read(const GridWindow& window) { return reader_->read(window); }
+
+GridPart HeightGridFile::read_part(const GridWindow& window) {
+  const auto [all, inner] = surroundings_of(whole(), window);
+  return part_of(read(all), inner);
+}
+
+std::vector<GridWindow> bands_of(const GridWindow& window) {
+  constexpr std::uint32_t samples = std::uint32_t{1} << 22;
+  const std::uint32_t most = std::max(samples / std::max(window.columns, 1U), 1U);
+  std::vector<GridWindow> bands;
+  for (std::uint32_t done = 0; done < window.rows; done += bands.back().rows) {
+    bands.push_back(
+        {window.column, window.row + done, window.columns, std::min(most, window.rows - done)});
+  }
+  return bands;
+}
 
 HeightGrid read_height_grid_header(const fs::path& path, const HeightGridOptions& options) {
   return GridFile(path, options).header();
@@ -160,26 +118,8 @@ HeightGrid read_height_grid(const fs::path& path, const HeightGridOptions& optio
 
 GridPart read_grid_part(const fs::path& path, const HeightGrid& whole, const GridWindow& window,
                         const HeightGridOptions& options) {
-  grid_of_window(whole, window);  // throws if it sticks out
-  const std::uint32_t west = window.column > 0 ? 1 : 0, above = window.row > 0 ? 1 : 0;
-  const std::uint32_t east = window.column + window.columns < whole.columns ? 1 : 0;
-  const std::uint32_t below = window.row + window.rows < whole.rows ? 1 : 0;
-  const GridWindow around{window.column - west, window.row - above, window.columns + west + east,
-                          window.rows + above + below};
-  return part_of(read_height_window(path, around, options),
-                 {west, above, window.columns, window.rows});
-}
-
-void check_usable(const HeightGrid& grid) {
-  if (grid.columns < 2 || grid.rows < 2) {
-    throw InputError(grid.source,
-                     "a grid of " + std::to_string(grid.columns) + " x " +
-                         std::to_string(grid.rows) + " samples has no area between them",
-                     "give at least two columns and two rows");
-  }
-  if (grid.has_any_data()) return;
-  throw InputError(grid.source, "all " + std::to_string(grid.size()) + " samples are without data",
-                   "check the value that means no data");
+  const auto [all, inner] = surroundings_of(whole, window);
+  return part_of(read_height_window(path, all, options), inner);
 }
 
 }  // namespace lepp

@@ -9,6 +9,7 @@
 #include "lepp/io/picture_frame.hpp"
 #include "lepp/io/png.hpp"
 #include "lepp/io/svg_drawing.hpp"
+#include "lepp/triangulation/for_each_edge.hpp"
 
 namespace lepp {
 
@@ -31,16 +32,6 @@ std::array<double, 3> tint(double part) {
   std::array<double, 3> mixed{};
   for (std::size_t k = 0; k < 3; ++k) mixed[k] = (1 - t) * tints[i][k] + t * tints[i + 1][k];
   return mixed;
-}
-
-void for_each_edge(const Mesh& mesh, auto visit) {
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      const auto across = mesh.twin(e);
-      if (!across || e < *across) visit(e);
-    }
-  }
 }
 
 bool draws_edges(const Tin& tin, const PictureFrame& frame, const HillshadeOptions& options) {

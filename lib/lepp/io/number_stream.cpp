@@ -1,13 +1,11 @@
 #include "lepp/io/number_stream.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
-#include <limits>
 #include <span>
-#include <system_error>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/number_word.hpp"
 
 namespace lepp {
 
@@ -16,15 +14,6 @@ namespace {
 constexpr std::size_t buffer_size = std::size_t{1} << 18;
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-// At most 40 characters of it, for a message.
-std::string quoted(std::string_view text) {
-  std::string shown(text.substr(0, 40));
-  for (char& c : shown) {
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
-  }
-  return "\"" + shown + (text.size() > 40 ? "...\"" : "\"");
-}
 
 }  // namespace
 
@@ -75,21 +64,11 @@ void NumberStream::skip_line() {
 }
 
 std::uint64_t NumberStream::bytes_left() const {
-  const std::uint64_t passed = offset_ - static_cast<std::uint64_t>(end_ - word_);
-  return file_.size() - std::min(file_.size(), passed);
+  return file_.size() - std::min(file_.size(), offset());
 }
 
 double NumberStream::number(std::string_view word) const {
-  double value = 0;
-  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (end == digits.data() + digits.size()) {
-    if (error == std::errc()) return value;
-    // from_chars leaves open whether it is too large or too small.
-    const bool tiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
-    if (error == std::errc::result_out_of_range)
-      return tiny ? 0 : std::numeric_limits<double>::infinity();
-  }
+  if (const auto value = number_of(word)) return *value;
   throw InputError(where(), quoted(word) + " is not a number",
                    word.find(',') != word.npos ? "use a decimal point, as in 1.5, and blanks"
                                                : "correct the line, or export the file again");

@@ -22,6 +22,8 @@ class NumberStream {
   void skip_line();
   /// Of the last word, from 1 on.
   std::int64_t line() const { return line_; }
+  /// Of the last word, in the file.
+  std::uint64_t offset() const { return offset_ - static_cast<std::uint64_t>(end_ - word_); }
   /// Bytes from the last word to the end of the file.
   std::uint64_t bytes_left() const;
 
@@ -34,7 +36,7 @@ class NumberStream {
   bool refill();
 
   const InputFile& file_;
-  std::uint64_t offset_;  // in the file, of the byte behind the buffer
+  std::uint64_t offset_;  // of the byte behind the buffer
   std::int64_t line_;
   std::vector<char> buffer_;
   const char* at_ = nullptr;

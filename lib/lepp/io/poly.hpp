@@ -44,4 +44,7 @@ void write_poly(const Pslg& pslg, const std::filesystem::path& path);
 void write_ele(const Mesh& mesh, const std::filesystem::path& path,
                std::span<const double> heights = {});
 
+/// The files that it writes, in that order.
+std::vector<std::filesystem::path> ele_files(const std::filesystem::path& path);
+
 }  // namespace lepp

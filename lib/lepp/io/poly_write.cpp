@@ -175,4 +175,9 @@ void write_ele(const Mesh& mesh, const fs::path& path, std::span<const double> h
   files.commit();
 }
 
+std::vector<std::filesystem::path> ele_files(const std::filesystem::path& path) {
+  std::filesystem::path node = path, poly = path;
+  return {node.replace_extension(".node"), path, poly.replace_extension(".poly")};
+}
+
 }  // namespace lepp

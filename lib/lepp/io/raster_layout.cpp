@@ -1,11 +1,29 @@
 #include "lepp/io/raster_layout.hpp"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
 
 namespace lepp {
+
+namespace {
+
+void check_memory(const HeightGrid& grid, std::size_t bytes_of_height) {
+  const double there = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE));
+  const double wanted = double(grid.size()) * double(bytes_of_height);
+  if (wanted <= there) return;
+  throw RefusedError(grid.source,
+                     "its " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+                         " heights take " + to_text(std::ceil(wanted / 0x1p30)) +
+                         " GiB, more than this machine has",
+                     "read it in parts, with --tiles ROWSxCOLUMNS");
+}
+
+}  // namespace
 
 std::size_t bytes_of(SampleType type) {
   switch (type) {
@@ -49,6 +67,13 @@ void check_bytes(const InputFile& file, const BinaryRaster& raster) {
                        std::to_string(wanted),
                    there < wanted ? "the file is cut short: export it again"
                                   : "correct the header, or export the file again");
+}
+
+void check_memory(const HeightGrid& grid) { check_memory(grid, sizeof(float)); }
+
+void check_memory(const HeightGrid& grid, std::span<const double> more) {
+  if (grid.heights.are_floats() && !std::ranges::all_of(more, is_float))
+    check_memory(grid, sizeof(double));
 }
 
 HeightGrid grid_of_window(const HeightGrid& whole, const GridWindow& window) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "lepp/io/input_file.hpp"
@@ -47,9 +48,16 @@ void check_bytes(const InputFile& file, const BinaryRaster& raster);
 /// The grid of a window, without heights. \throw InputError  the window is empty or sticks out
 HeightGrid grid_of_window(const HeightGrid& whole, const GridWindow& window);
 
+/// Asked before the heights of a grid are read, as floats, and before more heights come that may
+/// make doubles of all. \throw RefusedError  they take more memory than the machine has
+void check_memory(const HeightGrid& grid);
+void check_memory(const HeightGrid& grid, std::span<const double> more);
+inline void check_memory(const HeightGrid&, std::span<const float>) {}
+
 /// Reads the heights of a window, and nothing else of the file. `grid` is grid_of_window().
 /// \throw InputError  naming a height that is infinite, larger than 1.6e60 or an integer of more
 ///                    than 53 bits
+/// \throw RefusedError  more memory than the machine has
 /// Cost   one pass; memory for the heights and about a MiB
 void read_samples(const InputFile& file, const BinaryRaster& whole, const GridWindow& window,
                   HeightGrid& grid);

@@ -53,6 +53,7 @@ class SampleReader {
       refuse_height(grid_.source, window_.column + (first + *i) % window_.columns,
                     window_.row + (first + *i) / window_.columns);
     }
+    check_memory(grid_, std::span<const Height>(heights_));
     grid_.heights.append(std::span<const Height>(heights_));
   }
 
@@ -87,6 +88,7 @@ class SampleReader {
       for (std::uint32_t row = 0; row < window_.rows; ++row) {
         for (std::uint32_t k = 0; k < count; ++k)
           along[k] = heights_[std::size_t{k} * window_.rows + row];
+        check_memory(grid_, std::span<const Height>(along).first(count));
         grid_.heights.assign(grid_.index(first, row), std::span<const Height>(along).first(count));
       }
       first += count;
@@ -118,6 +120,7 @@ class SampleReader {
 
 void read_samples(const InputFile& file, const BinaryRaster& whole, const GridWindow& window,
                   HeightGrid& grid) {
+  check_memory(grid);
   if (gives_floats(whole.layout.type)) SampleReader<float>(file, whole, window, grid).run();
   else SampleReader<double>(file, whole, window, grid).run();
 }

@@ -1,9 +1,11 @@
 // TELEMAC Selafin: Fortran records, each between two counts of its bytes, all big-endian.
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/binary_numbers.hpp"
 #include "lepp/io/boundary_loops.hpp"
@@ -88,14 +90,25 @@ void write_records(Records& records, const WorldTin& tin, Point origin) {
   records.numbers<Real>(points.size(), [&](std::size_t i) { return tin.heights[i]; });
 }
 
+void check_offset(Point offset, const std::filesystem::path& path) {
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  if (std::abs(offset.x) <= most && std::abs(offset.y) <= most) return;
+  const std::string problem = "lies at " + to_text(offset) +
+                              ", too far away for the whole numbers of Selafin in single precision";
+  throw RefusedError(path.string(), problem, "write double precision: --format serafind");
+}
+
 }  // namespace
 
 void write_selafin(const WorldTin& tin, const std::filesystem::path& path,
                    SelafinPrecision precision) {
+  const bool doubles = precision == SelafinPrecision::doubles;
+  const Point offset = doubles ? Point{0, 0} : offset_of_float_files(tin);
+  check_offset(offset, path);
   AtomicFiles files;
   Records records(files.add(path), path);
-  if (precision == SelafinPrecision::doubles) write_records<double>(records, tin, {0, 0});
-  else write_records<float>(records, tin, offset_of_float_files(tin));
+  if (doubles) write_records<double>(records, tin, offset);
+  else write_records<float>(records, tin, offset);
   files.commit();
 }
 

@@ -3,6 +3,7 @@ add_library(lepp_io
   lepp/io/atomic_files.cpp
   lepp/io/boundary_loops.cpp
   lepp/io/classic_netcdf.cpp
+  lepp/io/crs_wkt.cpp
   lepp/io/entity_table.cpp
   lepp/io/gdal_process.cpp
   lepp/io/gdal_record.cpp
@@ -27,8 +28,10 @@ add_library(lepp_io
   lepp/io/gmsh_tokens.cpp
   lepp/io/grid_asc.cpp
   lepp/io/grid_f32.cpp
+  lepp/io/grid_file.cpp
   lepp/io/grid_npy.cpp
   lepp/io/grid_pgm.cpp
+  lepp/io/grid_placement.cpp
   lepp/io/grid_stm.cpp
   lepp/io/header_words.cpp
   lepp/io/height_grid_read.cpp
@@ -40,6 +43,7 @@ add_library(lepp_io
   lepp/io/msh.cpp
   lepp/io/msh_entities.cpp
   lepp/io/number_stream.cpp
+  lepp/io/number_word.cpp
   lepp/io/picture.cpp
   lepp/io/places.cpp
   lepp/io/plot.cpp

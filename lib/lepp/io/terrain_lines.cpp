@@ -1,14 +1,11 @@
 #include "lepp/io/terrain_lines.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
-#include <optional>
-#include <string_view>
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
+#include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/gdal_process.hpp"
 #include "lepp/io/geojson.hpp"
 
@@ -19,27 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_geojson(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   return extension == ".geojson" || extension == ".json";
 }
-
-// The EPSG code at the end of a WKT, that of the whole: AUTHORITY["EPSG","32608"]] or
-// ID["EPSG",32608]].
-std::optional<int> epsg_of_wkt(std::string_view wkt) {
-  const std::size_t at = wkt.rfind("[\"EPSG\",");
-  if (at == wkt.npos) return std::nullopt;
-  std::string_view rest = wkt.substr(at + 8);
-  if (rest.starts_with('"')) rest.remove_prefix(1);
-  int code = 0;
-  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), code);
-  if (error != std::errc()) return std::nullopt;
-  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-  return rest == "\"]]" || rest == "]]" ? std::optional(code) : std::nullopt;
-}
-
-bool is_geographic(std::string_view wkt) { return wkt.starts_with("GEOG"); }
 
 bool could_be_degrees(const std::vector<GdalFeature>& features) {
   for (const GdalFeature& feature : features) {
@@ -54,13 +33,13 @@ bool could_be_degrees(const std::vector<GdalFeature>& features) {
   return true;
 }
 
-// True if its coordinates are those of the grid.
+// True if its coordinates are those of the grid for all that is known. Where the grid's system has
+// no code, as in .prj files of ESRI, GDAL has to compare the two.
 bool is_as_grid(const GeoJson& json, const std::string& grid_crs) {
-  if (json.epsg) {
-    const auto grid = epsg_of_wkt(grid_crs);
-    return !grid || *json.epsg == *grid;
-  }
-  return grid_crs.empty() || is_geographic(grid_crs) || !could_be_degrees(json.features);
+  if (grid_crs.empty()) return true;
+  const CrsWkt grid = parse_crs_wkt(grid_crs);
+  if (json.epsg) return json.epsg == grid.epsg;
+  return grid.is_geographic || !could_be_degrees(json.features);
 }
 
 std::vector<GdalFeature> read_by_gdal(const fs::path& path, const TerrainLineOptions& options) {

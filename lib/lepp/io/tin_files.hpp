@@ -44,12 +44,15 @@ enum class SelafinPrecision {
 
 /// TELEMAC Selafin: one variable BOTTOM in metres, one time step. IPOBO numbers the boundary
 /// vertices loop by loop, the mesh on the left.
-/// \throw RefusedError  beyond 2^31 bytes in a record
+/// \throw RefusedError  beyond 2^31 bytes in a record; floats that are to be relative to an origin
+///                      beyond 2^31
 void write_selafin(const WorldTin& tin, const std::filesystem::path& path,
                    SelafinPrecision precision = SelafinPrecision::doubles);
 
 /// UGRID 1.0 in netCDF (classic format with 64-bit offsets): mesh2d with nodes, edges, faces,
-/// heights as mesh2d_node_z, start_index 1, and the coordinate reference system as crs_wkt.
+/// heights as mesh2d_node_z, start_index 1, and the coordinate reference system as crs_wkt, with its
+/// EPSG code if it has one. Lengths have the unit that it says (none is written if it says none);
+/// heights that of its vertical part, or else the one of lengths, in degrees the metre.
 /// \throw RefusedError  beyond 2^32 bytes in a variable
 void write_ugrid(const WorldTin& tin, const std::filesystem::path& path);
 

@@ -33,7 +33,11 @@ FloatPoint normal(const std::array<FloatPoint, 3>& corners) {
   return {float(n[0] / length), float(n[1] / length), float(n[2] / length)};
 }
 
-std::string whole(double number) { return std::to_string(static_cast<long long>(number)); }
+// All digits of a whole number as far as doubles are all the whole numbers of its size.
+std::string whole(double number) {
+  return std::abs(number) < 0x1p53 ? std::to_string(static_cast<long long>(number))
+                                   : to_text(number);
+}
 
 // 80 characters; must not begin with "solid", which says that a file is text.
 std::string stl_header(const WorldTin& tin, Point offset) {

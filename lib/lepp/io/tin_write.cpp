@@ -24,12 +24,18 @@ void write_vtu(const WorldTin& tin, const fs::path& path) {
   write_vtu(tin.mesh, path, data);
 }
 
-void write_prj(const WorldTin& tin, const fs::path& path) {
-  const fs::path prj = fs::path(path).replace_extension(".prj");
-  if (is_prj_of(prj, tin.crs)) return;
-  AtomicFiles files;
-  files.add(prj) << tin.crs << '\n';
-  files.commit();
+void write_mesh(const WorldTin& tin, const fs::path& path, const TinFormat& format) {
+  const std::string kind = path.extension().string();
+  if (kind == ".obj") write_obj(tin, path);
+  else if (kind == ".ply") write_ply(tin, path);
+  else if (kind == ".stl") write_stl(tin, path);
+  else if (kind == ".2dm") write_2dm(tin, path);
+  else if (kind == ".slf") write_selafin(tin, path, format.selafin);
+  else if (kind == ".nc") write_ugrid(tin, path);
+  else if (kind == ".msh") write_msh(tin.mesh, path, format.msh, tin.heights);
+  else if (kind == ".vtu") write_vtu(tin, path);
+  else if (kind == ".ele") write_ele(tin.mesh, path, tin.heights);
+  else write_adcirc(tin, path);
 }
 
 }  // namespace
@@ -49,12 +55,8 @@ std::string tin_file_kinds() {
 
 std::vector<fs::path> tin_files_of(const fs::path& path, bool has_crs) {
   const std::string kind = path.extension().string();
-  const auto beside = [&](const char* extension) {
-    return fs::path(path).replace_extension(extension);
-  };
-  std::vector<fs::path> files{path};
-  if (kind == ".ele") files = {beside(".node"), path, beside(".poly")};
-  if (has_crs && kind != ".nc") files.push_back(beside(".prj"));
+  std::vector<fs::path> files = kind == ".ele" ? ele_files(path) : std::vector{path};
+  if (has_crs && kind != ".nc") files.push_back(fs::path(path).replace_extension(".prj"));
   return files;
 }
 
@@ -70,18 +72,14 @@ bool is_prj_of(const fs::path& path, const std::string& crs) {
 }
 
 void write_tin(const WorldTin& tin, const fs::path& path, const TinFormat& format) {
-  const std::string kind = path.extension().string();
-  if (!tin.crs.empty() && kind != ".nc") write_prj(tin, path);
-  if (kind == ".obj") write_obj(tin, path);
-  else if (kind == ".ply") write_ply(tin, path);
-  else if (kind == ".stl") write_stl(tin, path);
-  else if (kind == ".2dm") write_2dm(tin, path);
-  else if (kind == ".slf") write_selafin(tin, path, format.selafin);
-  else if (kind == ".nc") write_ugrid(tin, path);
-  else if (kind == ".msh") write_msh(tin.mesh, path, format.msh, tin.heights);
-  else if (kind == ".vtu") write_vtu(tin, path);
-  else if (kind == ".ele") write_ele(tin.mesh, path, tin.heights);
-  else write_adcirc(tin, path);
+  AtomicFiles beside;  // complete before the mesh is there, and named only behind it
+  const fs::path prj = fs::path(path).replace_extension(".prj");
+  if (!tin.crs.empty() && path.extension() != ".nc" && !is_prj_of(prj, tin.crs)) {
+    beside.add(prj) << tin.crs << '\n';
+    beside.prepare();
+  }
+  write_mesh(tin, path, format);
+  beside.commit();
 }
 
 }  // namespace lepp

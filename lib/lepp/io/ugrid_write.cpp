@@ -1,13 +1,17 @@
 // UGRID 1.0 in netCDF. The names are those that Deltares' D-Flow FM and MDAL look for.
 
-#include <charconv>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/classic_netcdf.hpp"
+#include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/tin_files.hpp"
+#include "lepp/triangulation/for_each_edge.hpp"
 
 namespace lepp {
 
@@ -21,35 +25,25 @@ constexpr std::int32_t first_number = 1;
 
 std::int32_t number(VertexId v) { return static_cast<std::int32_t>(v.value) + first_number; }
 
-// Each edge once.
 std::vector<HalfEdge> edges(const Mesh& mesh) {
   std::vector<HalfEdge> list;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      const auto across = mesh.twin(e);
-      if (!across || e < *across) list.push_back(e);
-    }
-  }
+  for_each_edge(mesh, [&](HalfEdge e) { list.push_back(e); });
   return list;
 }
 
-// The EPSG code of the whole system: the last one in its WKT, of version 1 or 2.
-std::optional<std::int32_t> epsg_code(const std::string& wkt) {
-  constexpr std::string_view authority = "\"EPSG\",";
-  const std::size_t at = wkt.rfind(authority);
-  if (at == wkt.npos) return std::nullopt;
-  const char* begin = wkt.data() + at + authority.size();
-  if (*begin == '"') ++begin;
-  std::int32_t code = 0;
-  const auto [end, error] = std::from_chars(begin, wkt.data() + wkt.size(), code);
-  if (error != std::errc()) return std::nullopt;
-  return code;
+// The name that UDUNITS has for so many metres; nothing for a unit that it has no name for.
+std::optional<std::string> name_of_unit(std::optional<double> metres) {
+  constexpr std::array<std::pair<double, const char*>, 4> known = {
+      {{1, "m"}, {1000, "km"}, {0.3048, "ft"}, {1200.0 / 3937, "US_survey_foot"}}};
+  for (const auto& [size, name] : known) {
+    if (metres && std::abs(*metres / size - 1) < 1e-9) return name;
+  }
+  return std::nullopt;
 }
 
 class Ugrid {
  public:
-  Ugrid(const WorldTin& tin) : tin_(tin), edges_(edges(tin.mesh)) {
+  Ugrid(const WorldTin& tin) : tin_(tin), crs_(parse_crs_wkt(tin.crs)), edges_(edges(tin.mesh)) {
     nodes_dimension_ = file_.add_dimension("mesh2d_nNodes", tin.mesh.vertex_count());
     edges_dimension_ = file_.add_dimension("mesh2d_nEdges", edges_.size());
     faces_dimension_ = file_.add_dimension("mesh2d_nFaces", tin.mesh.triangle_count());
@@ -99,28 +93,40 @@ class Ugrid {
   }
 
   void add_coordinates() {
-    const bool degrees = tin_.degrees;
-    const auto attributes = [&](const char* projected, const char* geographic, const char* unit) {
-      return Attributes{{"units", degrees ? unit : "m"},
-                        {"standard_name", degrees ? geographic : projected},
-                        {"mesh", "mesh2d"},
-                        {"location", "node"}};
-    };
     const WorldTin& tin = tin_;
-    add_at_nodes("mesh2d_node_x",
-                 attributes("projection_x_coordinate", "longitude", "degrees_east"),
-                 [&tin](std::size_t i) { return tin.mesh.points()[i].x; });
-    add_at_nodes("mesh2d_node_y",
-                 attributes("projection_y_coordinate", "latitude", "degrees_north"),
-                 [&tin](std::size_t i) { return tin.mesh.points()[i].y; });
-    add_at_nodes("mesh2d_node_z",
-                 {{"units", "m"},
-                  {"standard_name", "altitude"},
-                  {"positive", "up"},
-                  {"mesh", "mesh2d"},
-                  {"location", "node"},
-                  {"coordinates", "mesh2d_node_x mesh2d_node_y"}},
+    const std::optional<std::string> unit = name_of_unit(crs_.unit);
+    const auto add = [&](const char* axis, const char* projected, const char* geographic,
+                         const char* degrees, auto value) {
+      Attributes attributes{{"standard_name", tin.degrees ? geographic : projected},
+                            {"mesh", "mesh2d"},
+                            {"location", "node"}};
+      if (tin.degrees) attributes.push_back({"units", degrees});
+      else if (unit) attributes.push_back({"units", *unit});
+      add_at_nodes(axis, std::move(attributes), value);
+    };
+    add("mesh2d_node_x", "projection_x_coordinate", "longitude", "degrees_east",
+        [&tin](std::size_t i) { return tin.mesh.points()[i].x; });
+    add("mesh2d_node_y", "projection_y_coordinate", "latitude", "degrees_north",
+        [&tin](std::size_t i) { return tin.mesh.points()[i].y; });
+    add_heights();
+  }
+
+  void add_heights() {
+    Attributes attributes{{"standard_name", "altitude"},
+                          {"positive", "up"},
+                          {"mesh", "mesh2d"},
+                          {"location", "node"},
+                          {"coordinates", "mesh2d_node_x mesh2d_node_y"}};
+    if (const auto unit = name_of_unit(unit_of_heights())) attributes.push_back({"units", *unit});
+    const WorldTin& tin = tin_;
+    add_at_nodes("mesh2d_node_z", std::move(attributes),
                  [&tin](std::size_t i) { return tin.heights[i]; });
+  }
+
+  // Without a vertical system: the unit that cells have, too (HeightGrid::cell_width).
+  std::optional<double> unit_of_heights() const {
+    if (crs_.height_unit) return crs_.height_unit;
+    return tin_.degrees ? 1 : crs_.unit;
   }
 
   void add_connectivity() {
@@ -152,7 +158,7 @@ class Ugrid {
     const std::string& wkt = tin_.crs;
     Attributes attributes{{"crs_wkt", wkt}, {"spatial_ref", wkt}, {"wkt", wkt}};
     if (tin_.degrees) attributes.push_back({"grid_mapping_name", "latitude_longitude"});
-    const auto code = epsg_code(wkt);
+    const std::optional<std::int32_t> code = crs_.epsg;
     if (code) attributes.push_back({"epsg", *code});
     file_.add_variable(
         {crs_name(), Type::integer, {}, std::move(attributes), [code](Numbers& numbers) {
@@ -161,6 +167,7 @@ class Ugrid {
   }
 
   const WorldTin& tin_;
+  const CrsWkt crs_;
   std::vector<HalfEdge> edges_;
   ClassicNetcdf file_;
   std::size_t nodes_dimension_ = 0, edges_dimension_ = 0, faces_dimension_ = 0,

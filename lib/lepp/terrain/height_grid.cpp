@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
@@ -28,6 +29,18 @@ void set_cell_from_degrees(HeightGrid& grid) {
   const double along_meridian = equator * (1 - squared_eccentricity) / (w * std::sqrt(w));
   grid.cell_width = grid.step_x * radian * along_parallel;
   grid.cell_height = std::abs(grid.step_y) * radian * along_meridian;
+}
+
+void check_usable(const HeightGrid& grid) {
+  if (grid.columns < 2 || grid.rows < 2) {
+    throw InputError(grid.source,
+                     "a grid of " + std::to_string(grid.columns) + " x " +
+                         std::to_string(grid.rows) + " samples has no area between them",
+                     "give at least two columns and two rows");
+  }
+  if (grid.has_any_data()) return;
+  throw InputError(grid.source, "all " + std::to_string(grid.size()) + " samples are without data",
+                   "check the value that means no data");
 }
 
 }  // namespace lepp

@@ -89,4 +89,7 @@ struct GridWindow {
 /// \throw InputError  the middle latitude is no latitude
 void set_cell_from_degrees(HeightGrid& grid);
 
+/// \throw InputError  a grid of one row or column, or without any data
+void check_usable(const HeightGrid& grid);
+
 }  // namespace lepp

@@ -85,24 +85,11 @@ void name_entities(Entities& entities) {
     entities.curves[i].groups = {GroupId(2U)};
 }
 
-void check(const HeightGrid& grid) {
-  if (grid.columns >= 2 && grid.rows >= 2) return;
-  throw InputError(grid.source,
-                   "a grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
-                       " samples has no area between them",
-                   "give at least two columns and two rows");
-}
-
 }  // namespace
 
 TerrainDomain terrain_domain(const HeightGrid& grid, const DomainOptions& options) {
-  check(grid);
+  check_usable(grid);
   Pslg outline = pslg_of_outline(grid, options.islands_stay_inside);
-  if (outline.segments.empty()) {
-    throw InputError(grid.source,
-                     "all " + std::to_string(grid.size()) + " samples are without data",
-                     "check the value that means no data");
-  }
   TerrainDomain domain;
   if (options.clip.empty() && options.breaklines.empty()) {
     domain.pslg = std::move(outline);
