@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/hillshade.hpp"
 #include "terrain_options.hpp"
 #include "terrain_run.hpp"
@@ -71,10 +72,28 @@ int status_of(const TerrainReport& report) {
   return report.goal_reached ? done : unfinished;
 }
 
+// Lines are read before, in the coordinates of the file.
+void count_from_origin(Point origin, HeightGrid& grid, DomainOptions& domain,
+                       std::vector<std::string>& warnings) {
+  const bool had_crs = !grid.crs.empty();
+  lepp::count_from(origin, grid);
+  for (Breakline& line : domain.breaklines) {
+    for (Point& p : line.points) p = p - origin;
+  }
+  for (ClipPolygon& polygon : domain.clip) {
+    for (std::vector<Point>& ring : polygon.rings) {
+      for (Point& p : ring) p = p - origin;
+    }
+  }
+  if (!had_crs) return;
+  warnings.push_back("coordinates count from " + lepp::to_text(origin) +
+                     ", so the coordinate reference system is not written");
+}
+
 int run_whole(const TerrainCommand& command, TerrainReport& report) {
   const auto start = Clock::now();
   HeightGrid grid = read_height_grid(command.input, command.grid_options());
-  check_targets(command, !grid.crs.empty());
+  check_targets(command, !grid.crs.empty() && command.origin.empty());
   describe(grid, report);
   const double range = report.highest - report.lowest;
   TerrainJob job;
@@ -82,6 +101,9 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   job.border_error = border_error(command, range);
   std::vector<std::string> warnings = grid.warnings;
   job.domain = domain_options(command, grid, warnings);
+  if (command.origin.size() == 2) {
+    count_from_origin({command.origin[0], command.origin[1]}, grid, job.domain, warnings);
+  }
   job.claims_error = !command.max_error.empty();
   job.nonobtuse = command.nonobtuse;
   const double reading = seconds_since(start);
@@ -176,6 +198,11 @@ void add_inputs(CLI::App& app, TerrainCommand& command) {
       ->expected(2)
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata, "height that means no data");
+  app.add_option("--origin", command.origin,
+                 "X Y: subtracted from all coordinates that are written or reported, for cells that "
+                 "are small beside them")
+      ->expected(2)
+      ->check(finite_number());
   app.add_option("--clip", command.clip,
                  "polygons outside of which nothing is meshed: GeoJSON, or what GDAL reads; may be "
                  "given again");

@@ -112,6 +112,7 @@ void check_terrain_options(const TerrainCommand& c) {
   refuse(c.tile_output == TileOutput::mesh && c.asks_for_levels(), "--tile-output",
          "mesh joins the finest level alone; write levels as files");
   refuse(has_tiles && c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
+  refuse(has_tiles && !c.origin.empty(), "--origin", "does not go with --tiles");
   const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
   refuse(has_tiles && has_lines, "--tiles",
          "does not go with --clip and --breaklines, which would cut the borders of tiles");

@@ -45,6 +45,7 @@ class Run {
 
   MadeTerrain operator()() {
     describe(grid_, made_.report);
+    check_world_rounding(place_.whole);
     report().seconds.domain = timed([&] {
       domain_ = terrain_domain(grid_, job_.domain);
       if (job_.border_error) {

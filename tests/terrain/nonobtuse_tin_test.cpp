@@ -135,6 +135,59 @@ TEST_CASE("what is measured are the triangles of the result, also where four are
   }
 }
 
+TEST_CASE("cells that are small beside world coordinates: samples stay what they are") {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    for (const double cell : {0.1, 0.001}) {
+      CAPTURE(seed);
+      CAPTURE(cell);
+      HeightGrid grid = rough(14, 11, seed);
+      Random random(seed);
+      for (float& h : grid.heights) {  // chains of samples, and outlines of any slope
+        if (random.one_in(2)) h = std::numeric_limits<float>::quiet_NaN();
+      }
+      for (std::uint32_t row = 0; row < 11; ++row) {
+        for (std::uint32_t column = 0; column < 14; ++column) {
+          if (column + 2 * row > 16) grid.heights[grid.index(column, row)] = 5;
+        }
+      }
+      grid.origin = {500000.37, 4649776.22};
+      grid.step_x = grid.cell_width = cell;
+      grid.step_y = -cell;
+      grid.cell_height = cell;
+      const TerrainDomain domain = terrain_domain(grid);
+      NonobtuseTinOptions options;  // every sample counts
+      const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 0), options);
+      CHECK(made.goal_reached);
+      CHECK(validate(made.in_world).summary() == "valid");
+      CHECK(certify(made.in_world).admissible);
+      CHECK(validate(made.tin.mesh, {.delaunay = false}).valid());
+      const TerrainError found = measure_error(grid, made.tin);
+      CHECK(found.max <= 1e-6);
+      CHECK(found.lost == 0);
+      CHECK(found.covered == 0);
+    }
+  }
+}
+
+TEST_CASE("samples on a slanting outline stay inside, whatever its cuts are rounded to") {
+  HeightGrid grid = hills(40, 21);
+  for (std::uint32_t row = 0; row < 21; ++row) {
+    for (std::uint32_t column = 2 * (20 - row); column < 40; ++column) {
+      grid.heights[grid.index(column, row)] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  grid.origin = {500000.37, 4649776.22};
+  grid.step_x = grid.cell_width = 0.001;
+  grid.step_y = -0.001;
+  grid.cell_height = 0.001;
+  const TerrainDomain domain = terrain_domain(grid);
+  NonobtuseTinOptions options;
+  options.max_error = 30;
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 30), options);
+  CHECK(made.goal_reached);
+  CHECK(measure_error(grid, made.tin).lost == 0);
+}
+
 TEST_CASE("a line that is off by more than the error leaves the goal unreached") {
   const HeightGrid grid = grid_of(4, 4, [](double, double) { return 0; });
   DomainOptions lines;

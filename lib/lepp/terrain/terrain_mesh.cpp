@@ -20,17 +20,12 @@ namespace lepp {
 
 namespace {
 
-// How near to a line, in cells, a sample is on it: crossings of sides with lines of samples are
-// rounded, and twice as far stays clear of that.
-constexpr double on_line = 2 * same_place;
-
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
 
-bool lies_between(Point a, Point b, Point p) {
+bool lies_between(Point a, Point b, Point p, double near) {
   const double twice_area = cross(b - a, p - a), part = part_of_way(a, b, p);
-  return twice_area * twice_area <= on_line * on_line * squared_distance(a, b) && part > 0 &&
-         part < 1;
+  return twice_area * twice_area <= near * near * squared_distance(a, b) && part > 0 && part < 1;
 }
 
 std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
@@ -87,8 +82,9 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
   for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
-TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard)
-    : grid_(grid), space_(grid), scan_(grid) {
+TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard,
+                         double rounding)
+    : grid_(grid), space_(grid), scan_(grid), on_line_(std::max(2 * same_place, 4 * rounding)) {
   state_.tin = std::move(tin);
   state_.kept.assign(mesh().vertex_count(), 0);
   state_.hard.assign(is_hard.begin(), is_hard.end());
@@ -271,7 +267,8 @@ std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) 
 
 bool TerrainMesh::is_on(HalfEdge e, Point p) const {
   return mesh().is_constrained(e) &&
-         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p);
+         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p,
+                      on_line_);
 }
 
 // A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.

@@ -1,6 +1,11 @@
 #include "lepp/terrain/world_tin.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "lepp/geometry/predicates.hpp"
+#include "lepp/geometry/text.hpp"
 
 namespace lepp {
 
@@ -14,13 +19,69 @@ std::string title_of(const std::string& source) {
   return name.empty() ? "terrain" : name;
 }
 
+constexpr double most_rounding = 1e-4;  // of a cell
+
+// From the first sample's coordinate on, `count` of them, `step` apart.
+double rounding_along(double first, double step, std::uint32_t count) {
+  const double last = first + (count - 1.0) * step;
+  return 0x1p-53 * std::max(std::abs(first), std::abs(last)) / std::abs(step);
+}
+
+// What messages advise to count from: the first sample, in a few digits.
+double round_number_below(double x, double extent) {
+  const double unit = std::pow(10, std::floor(std::log10(extent)));
+  return std::floor(x / unit) * unit;
+}
+
+InputError too_coarse(const HeightGrid& grid, const std::string& problem) {
+  const double width = grid.columns * grid.step_x, height = grid.rows * grid.step_y;
+  const Point corner{grid.origin.x, grid.origin.y + std::min(height, 0.0)};
+  return {grid.source, problem,
+          "count coordinates from a place nearby: --origin " +
+              to_text(round_number_below(corner.x, width)) + ' ' +
+              to_text(round_number_below(corner.y, std::abs(height)))};
+}
+
 }  // namespace
 
+double world_rounding(const HeightGrid& grid) {
+  return std::max(rounding_along(grid.origin.x, grid.step_x, grid.columns),
+                  rounding_along(grid.origin.y, grid.step_y, grid.rows));
+}
+
+void check_world_rounding(const HeightGrid& grid) {
+  const double rounding = world_rounding(grid);
+  if (rounding <= most_rounding) return;
+  throw too_coarse(grid, "has coordinates around " + to_text(grid.origin) +
+                             ", so large that doubles round them by " + to_text(rounding) +
+                             " of its small cells");
+}
+
+InputError rounding_error(const HeightGrid& grid) {
+  return too_coarse(grid, "gets triangles that lose their area where world coordinates around " +
+                              to_text(grid.origin) + " are rounded");
+}
+
+bool is_counterclockwise(const Mesh& mesh) {
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const auto [a, b, c] = mesh.corners(TriangleId(i));
+    if (!(orient2d(a, b, c) > 0)) return false;
+  }
+  return true;
+}
+
+void count_from(Point origin, HeightGrid& grid) {
+  grid.origin = grid.origin - origin;
+  grid.crs.clear();
+}
+
 WorldTin to_world(Tin tin, const HeightGrid& grid) {
+  const bool was_valid = is_counterclockwise(tin.mesh);
   for (std::size_t i = 0; i < tin.mesh.vertex_count(); ++i) {
     const VertexId v(i);
     tin.mesh.move_vertex(v, grid.to_world(tin.mesh.point(v)));
   }
+  if (was_valid && !is_counterclockwise(tin.mesh)) throw rounding_error(grid);
   return {std::move(tin.mesh), std::move(tin.heights), grid.crs, grid.degrees,
           title_of(grid.source)};
 }
