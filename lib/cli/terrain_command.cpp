@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -45,6 +47,20 @@ void describe_wishes(const TerrainCommand& command, const SimplifyOptions& optio
   if (options.by == SimplifyBy::lepp) report.min_angle_deg = options.min_angle_deg;
 }
 
+// Files of 32-bit coordinates leave few digits within a cell where the grid is large.
+void warn_of_floats(const WorldTin& tin, const HeightGrid& grid, const TerrainCommand& command,
+                    std::vector<std::string>& warnings) {
+  constexpr double noticeable = 1e-4;  // of a cell
+  const auto digits = offset_of_format(command.output.target, command.tin_format());
+  if (!digits) return;
+  const double moved = rounding_of_float_file(tin, *digits);
+  const double of_cell = moved / std::min(grid.step_x, std::abs(grid.step_y));
+  if (of_cell <= noticeable) return;
+  warnings.push_back("the coordinates of the file are 32-bit numbers, which moves vertices by up to " +
+                     lepp::to_text(moved) + ", " + lepp::to_text(float(of_cell)) +
+                     " of a cell; what was measured is the TIN before");
+}
+
 void write_level(MadeTin& made, const HeightGrid& grid, const TerrainCommand& command,
                  const std::string& suffix) {
   const fs::path target = with_suffix(command.output.target, suffix);
@@ -63,6 +79,7 @@ void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& 
     made.report.levels[i].output = made.coarser[i].figures.output;
   }
   write_level(made.finest, grid, command, "");
+  warn_of_floats(made.finest.world, grid, command, made.report.warnings);
   made.report.whole.output = made.finest.figures.output;
 }
 

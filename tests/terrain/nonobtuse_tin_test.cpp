@@ -98,6 +98,23 @@ TEST_CASE("vertices that cut a line with heights of its own lie on it") {
   CHECK(on_line > 2);
 }
 
+TEST_CASE("samples that are inserted on a line with heights of its own do not change it") {
+  const HeightGrid grid = rough(20, 20, 5);
+  DomainOptions lines;  // through many samples, all far below
+  lines.breaklines.push_back({{grid.to_world({2, 9}), grid.to_world({17, 9})}, {500, 500}, "wall"});
+  const TerrainDomain domain = terrain_domain(grid, lines);
+  NonobtuseTinOptions options;
+  options.max_error = 1;
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 1), options);
+  CHECK_FALSE(made.goal_reached);  // the samples below the wall
+  for (std::size_t i = 0; i < made.tin.mesh.vertex_count(); ++i) {
+    const Point p = made.tin.mesh.point(VertexId(i));
+    if (p.y != 9 || p.x < 2 || p.x > 17) continue;
+    CAPTURE(p.x);
+    CHECK(made.tin.heights[i] == doctest::Approx(500));
+  }
+}
+
 TEST_CASE("heights stay with their places in a TIN that is refined in spatial order") {
   const HeightGrid grid = grid_of(180, 180, [](double x, double y) {  // nearly every sample counts
     return std::fmod(7919 * x + 104729 * y, 97.0);

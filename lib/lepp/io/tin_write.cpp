@@ -55,6 +55,13 @@ std::vector<fs::path> tin_files_of(const fs::path& path, bool has_crs) {
   return files;
 }
 
+std::optional<OffsetDigits> offset_of_format(const fs::path& path, const TinFormat& format) {
+  if (path.extension() == ".stl") return OffsetDigits::decimal;
+  const bool floats = format.selafin == SelafinPrecision::floats;
+  if (path.extension() == ".slf" && floats) return OffsetDigits::whole;
+  return std::nullopt;
+}
+
 void write_tin(const WorldTin& tin, const fs::path& path, const TinFormat& format) {
   const std::string kind = path.extension().string();
   if (!tin.crs.empty() && kind != ".nc") write_prj(tin, path);

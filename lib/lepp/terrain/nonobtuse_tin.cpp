@@ -121,7 +121,7 @@ class Work {
   // Cuts of slanting sides are rounded, and samples on the pieces would be outside by as much: each
   // becomes a vertex.
   void cut_outline_at_samples() {
-    const std::vector<bool> is_hard = are_hard(tin_.mesh);
+    const std::vector<bool> is_hard = are_hard();
     TerrainMesh terrain(grid_, std::move(tin_), is_hard);
     std::vector<TriangleId> work(terrain.mesh().triangle_count());
     for (std::size_t i = 0; i < work.size(); ++i) work[i] = TriangleId(i);
@@ -184,14 +184,19 @@ class Work {
   }
 
   double height_of(VertexId v) const {
+    const auto height = height_on_line(v);
+    return height ? *height : height_at(grid_, tin_.mesh.point(v));
+  }
+
+  // Of a vertex that cuts a line with heights of its own.
+  std::optional<double> height_on_line(VertexId v) const {
     const VertexOrigin& origin = tin_.mesh.origin_of(v);
-    const Point p = tin_.mesh.point(v);
-    if (origin.kind == VertexOrigin::Kind::on_segment) {
-      for (const SegmentId s : tin_.mesh.segments_of(SegmentSetId(origin.index))) {
-        if (const auto height = height_on(tin_.mesh.segments()[s.index()], p)) return *height;
-      }
+    if (origin.kind != VertexOrigin::Kind::on_segment) return std::nullopt;
+    for (const SegmentId s : tin_.mesh.segments_of(SegmentSetId(origin.index))) {
+      const auto height = height_on(tin_.mesh.segments()[s.index()], tin_.mesh.point(v));
+      if (height) return height;
     }
-    return height_at(grid_, p);
+    return std::nullopt;
   }
 
   // On a line that has heights of its own, between its ends.
@@ -221,7 +226,7 @@ class Work {
     std::vector<double> errors;
     const std::size_t before = tin_.mesh.vertex_count();
     make_delaunay(tin_.mesh);  // but for rounding it is
-    const std::vector<bool> is_hard = are_hard(tin_.mesh);
+    const std::vector<bool> is_hard = are_hard();
     TerrainMesh terrain(grid_, std::move(tin_), is_hard, rounding_);
     Levels levels(grid_, asked, ignored);
     greedy(terrain, levels, errors);
@@ -230,9 +235,13 @@ class Work {
     return tin_.mesh.vertex_count() > before;
   }
 
-  std::vector<bool> are_hard(const Mesh& mesh) const {
+  // By vertex: its height is asked for by a line.
+  std::vector<bool> are_hard() const {
     std::vector<bool> result;
-    for (const Point p : mesh.points()) result.push_back(hard_.contains(p));
+    for (std::size_t i = 0; i < tin_.mesh.vertex_count(); ++i) {
+      const VertexId v(i);
+      result.push_back(hard_.contains(tin_.mesh.point(v)) || height_on_line(v).has_value());
+    }
     return result;
   }
 

@@ -27,19 +27,12 @@ double rounding_along(double first, double step, std::uint32_t count) {
   return 0x1p-53 * std::max(std::abs(first), std::abs(last)) / std::abs(step);
 }
 
-// What messages advise to count from: the first sample, in a few digits.
-double round_number_below(double x, double extent) {
-  const double unit = std::pow(10, std::floor(std::log10(extent)));
-  return std::floor(x / unit) * unit;
-}
-
 InputError too_coarse(const HeightGrid& grid, const std::string& problem) {
-  const double width = grid.columns * grid.step_x, height = grid.rows * grid.step_y;
-  const Point corner{grid.origin.x, grid.origin.y + std::min(height, 0.0)};
+  const double south = grid.origin.y + std::min(0.0, (grid.rows - 1.0) * grid.step_y);
   return {grid.source, problem,
           "count coordinates from a place nearby: --origin " +
-              to_text(round_number_below(corner.x, width)) + ' ' +
-              to_text(round_number_below(corner.y, std::abs(height)))};
+              to_decimal_text(std::floor(grid.origin.x)) + ' ' +
+              to_decimal_text(std::floor(south))};
 }
 
 }  // namespace
