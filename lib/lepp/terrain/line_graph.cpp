@@ -78,6 +78,7 @@ std::vector<std::pair<double, Point>> samples_beside(const HeightGrid& grid, Poi
 }
 
 void cut_where_lines_meet(const HeightGrid& grid, LineGraph& graph) {
+  drop_unused_points(graph.pslg);  // they would cut what they lie on
   SplitPslg split = split_crossings(graph.pslg);
   if (add_samples_beside_cuts(grid, split, graph.pslg)) split = split_crossings(graph.pslg);
   const std::vector<EndHeights> heights = std::exchange(graph.heights, {});
