@@ -230,7 +230,7 @@ class Run {
     judge_in_space();
     // Asked for a number of vertices alone, a run may be as far off as it is.
     const bool is_good = job_.claims_error ? simplified_.goal_reached : angles_reached();
-    r.goal_reached = is_good && !interrupted() && r.admissible.value_or(true);
+    r.goal_reached = is_count_kept() && is_good && !interrupted() && r.admissible.value_or(true);
     if (job_.claims_error) r.error_kept = is_kept(r.whole.error, job_.simplify.max_error);
     if (job_.claims_error && r.goal_reached && !*r.error_kept) break_rule("the error is not kept");
     check_coverage(r.whole.error);
@@ -245,6 +245,16 @@ class Run {
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }
+
+  bool is_count_kept() {
+    const std::size_t most = job_.simplify.max_vertices;
+    if (report().whole.vertices <= most) return true;
+    report().warnings.push_back("the outline and lines alone have " +
+                                std::to_string(simplified_.first_prefix) +
+                                " vertices, more than the " + std::to_string(most) +
+                                " asked for; a larger --max-vertices is needed, or fewer lines");
+    return false;
+  }
 
   void break_rule(const std::string& what) {
     report().valid = false;

@@ -207,6 +207,19 @@ TEST_CASE("a number of vertices that is too small for the error is status 3 and 
   CHECK(read_obj(folder / "t.obj").vertices.size() <= 120);
 }
 
+TEST_CASE("a number of vertices that the outline alone exceeds is status 3, and says so") {
+  const ScratchFolder folder;
+  const std::string command = "terrain " + hill + " -o t.obj --max-vertices 10 ";
+  for (const std::string by : {"lepp", "greedy"}) {
+    const Outcome made = run(folder.path(), command + "--by " + by);
+    CHECK(made.status == 3);
+    CHECK(has(made.out + made.err, "the outline and lines alone have"));
+    CHECK(files_in(folder.path()).empty());
+  }
+  CHECK(run(folder.path(), command + "--allow-unfinished").status == 3);
+  CHECK(read_obj(folder / "t.obj").vertices.size() > 10);
+}
+
 TEST_CASE("levels are nested, each with its error, each in a file and a picture of its own") {
   const ScratchFolder folder;
   const HeightGrid grid = hill_grid();
