@@ -56,9 +56,10 @@ void warn_of_floats(const WorldTin& tin, const HeightGrid& grid, const TerrainCo
   const double moved = rounding_of_float_file(tin, *digits);
   const double of_cell = moved / std::min(grid.step_x, std::abs(grid.step_y));
   if (of_cell <= noticeable) return;
-  warnings.push_back("the coordinates of the file are 32-bit numbers, which moves vertices by up to " +
-                     lepp::to_text(moved) + ", " + lepp::to_text(float(of_cell)) +
-                     " of a cell; what was measured is the TIN before");
+  warnings.push_back(
+      "the coordinates of the file are 32-bit numbers, which moves vertices by up to " +
+      lepp::to_text(moved) + ", " + lepp::to_text(float(of_cell)) +
+      " of a cell; what was measured is the TIN before");
 }
 
 void write_level(MadeTin& made, const HeightGrid& grid, const TerrainCommand& command,
@@ -215,9 +216,10 @@ void add_inputs(CLI::App& app, TerrainCommand& command) {
       ->expected(2)
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata, "height that means no data");
-  app.add_option("--origin", command.origin,
-                 "X Y: subtracted from all coordinates that are written or reported, for cells that "
-                 "are small beside them")
+  app.add_option(
+         "--origin", command.origin,
+         "X Y: subtracted from all coordinates that are written or reported, for cells that "
+         "are small beside them")
       ->expected(2)
       ->check(finite_number());
   app.add_option("--clip", command.clip,

@@ -138,10 +138,23 @@ class Run {
     judged_in_world_ = made.judged_in_world;
     simplified_.unfinished = std::move(made.unfinished);
     simplified_.goal_reached = made.goal_reached;
+    advise_on_rounding();
     if (judged_in_world_) return;
     report().warnings.push_back(
         "the file's coordinates have not the proportions of the cells, so the mesh is admissible "
         "after scaling them, not in the file");
+  }
+
+  // Between lines that meet at small angles, triangles may be as small as rounding is.
+  void advise_on_rounding() {
+    constexpr double noticeable = 1e-8;  // of a cell
+    const bool is_rounded = judged_in_world_ && world_rounding(grid_) > noticeable;
+    const auto at_floor = [](const Unfinished& u) { return u.reason == Reason::size_floor; };
+    if (!is_rounded || std::ranges::none_of(simplified_.unfinished, at_floor)) return;
+    report().warnings.push_back(
+        "coordinates are so large that rounding spoils the smallest triangles; counting from a "
+        "place nearby may help: " +
+        advice_to_count_from_nearby(grid_));
   }
 
   // Beside borders that must not be cut, the angle bound is out of reach of any method.

@@ -141,9 +141,8 @@ TEST_CASE("simplify: where angles alone take more vertices than there may be, th
     CHECK(tin.mesh.vertex_count() <= most);
     CHECK(tin.mesh.vertex_count() + 3 > most);
     CHECK_FALSE(report.goal_reached);
-    CHECK(std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
-      return u.reason == Reason::budget;
-    }));
+    CHECK(std::ranges::all_of(report.unfinished,
+                              [](const Unfinished& u) { return u.reason == Reason::budget; }));
     MeshClaims claims;
     claims.min_angle_deg = 30;
     claims.unfinished = report.unfinished;

@@ -55,8 +55,8 @@ bool has_point(const Pslg& pslg, Point p) { return std::ranges::count(pslg.point
 
 TEST_CASE("a line near a sample, the outline or the end of another line goes there") {
   const HeightGrid grid = hills(size, size);
-  LineGraph graph = graph_of({{{2.004, 3.995}, {5.5, 3.3}},      // a sample
-                              {{0.006, 7.3}, {4.4, 7.7}},        // the outline
+  LineGraph graph = graph_of({{{2.004, 3.995}, {5.5, 3.3}},       // a sample
+                              {{0.006, 7.3}, {4.4, 7.7}},         // the outline
                               {{5.497, 3.305}, {9.4, 10.996}}});  // both
   CHECK(snap_lines(grid, graph) == 4);
   for (const Point p : {Point{2, 4}, {5.5, 3.3}, {0, 7.3}, {9.4, 11}}) {
@@ -136,9 +136,8 @@ TEST_CASE("simplify with hard lines that nearly meet: angles are good but for th
     claims.min_angle_deg = 30;
     claims.unfinished = report.unfinished;
     CHECK(validate(tin.mesh, claims).summary() == "valid");
-    CHECK(std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
-      return is_forced_by_input(u.reason);
-    }));
+    CHECK(std::ranges::all_of(report.unfinished,
+                              [](const Unfinished& u) { return is_forced_by_input(u.reason); }));
     CHECK(tin.mesh.vertex_count() < 5000);
     CHECK_FALSE(domain.warnings.empty());
   }

@@ -13,9 +13,8 @@ std::string to_text(double value) {
 
 std::string to_decimal_text(double value) {
   std::array<char, 512> text;  // 5e-324 has 326 characters, 1e308 has 309
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::fixed)
-                       .ptr;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
   return {text.data(), end};
 }
 

@@ -32,7 +32,8 @@ FloatPoint normal(const std::array<FloatPoint, 3>& corners) {
 std::string stl_header(const WorldTin& tin, Point offset) {
   std::string header = "lepp TIN";
   if (offset != Point{0, 0}) {
-    header += "; add " + to_decimal_text(offset.x) + " to x, " + to_decimal_text(offset.y) + " to y";
+    header +=
+        "; add " + to_decimal_text(offset.x) + " to x, " + to_decimal_text(offset.y) + " to y";
   }
   header += "; " + tin.title;
   header.resize(80, ' ');

@@ -178,10 +178,10 @@ class DomainCutter {
     }
     const std::string of = " of " + std::to_string(options_.breaklines.size()) + " breaklines ";
     if (arrangement_.places_joined != 0) {
-      domain_.warnings.push_back(
-          "in " + std::to_string(arrangement_.places_joined) +
-          " places, lines within 0.01 cells of each other, of a sample or of the outline were moved "
-          "to meet there");
+      domain_.warnings.push_back("in " + std::to_string(arrangement_.places_joined) +
+                                 " places, lines within 0.01 cells of each other, of a sample or "
+                                 "of the outline were moved "
+                                 "to meet there");
     }
     if (outside != 0) {
       domain_.warnings.push_back(std::to_string(outside) + of +

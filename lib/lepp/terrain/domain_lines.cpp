@@ -179,7 +179,7 @@ class Arranger {
   const Pslg& outline_;
   std::vector<std::uint32_t> number_;  // of each point of the outline
   NearLines near_;
-  LineGraph graph_;     // the lines and what of the outline is near them, then all of it
+  LineGraph graph_;  // the lines and what of the outline is near them, then all of it
   Pslg& pslg_ = graph_.pslg;
   std::vector<LineKind> kind_;
 };

@@ -104,8 +104,8 @@ class LeppSimplification {
 
   std::vector<Unfinished> small_angles() const {
     const Mesh& mesh = terrain_.mesh();
-    const bool used_up = loop_.out_of_budget() || loop_.limited() ||
-                         mesh.vertex_count() >= options_.max_vertices;
+    const bool used_up =
+        loop_.out_of_budget() || loop_.limited() || mesh.vertex_count() >= options_.max_vertices;
     const Reason otherwise = loop_.cancelled() ? Reason::cancelled
                              : used_up         ? Reason::budget
                                                : Reason::size_floor;

@@ -73,7 +73,7 @@ struct SimplifyReport {
   bool goal_reached = false;
   TerrainError error;
   std::vector<TerrainLevel> levels;  ///< the last one is the TIN itself
-  std::size_t first_prefix = 0;  ///< vertices of the domain alone
+  std::size_t first_prefix = 0;      ///< vertices of the domain alone
   /// Greedy: the largest error with the first `first_prefix` vertices, then with one more each.
   std::vector<double> error_of_prefix;
   /// Triangles below the angle bound, and why; by the surface metric those with an angle in plan

@@ -138,7 +138,8 @@ class Snapper {
   // The sample with data nearest to `p`.
   std::optional<Point> sample_near(Point p) const {
     const double column = std::round(p.x), line = std::round(p.y / grid_.aspect());
-    if (column < 0 || line < 0 || column >= grid_.columns || line >= grid_.rows) return std::nullopt;
+    if (column < 0 || line < 0 || column >= grid_.columns || line >= grid_.rows)
+      return std::nullopt;
     const auto c = static_cast<std::uint32_t>(column), l = static_cast<std::uint32_t>(line);
     if (!grid_.has_data(c, grid_.row_of_line(l))) return std::nullopt;
     return grid_.sample(c, l);

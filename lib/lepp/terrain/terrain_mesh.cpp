@@ -266,9 +266,8 @@ std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) 
 }
 
 bool TerrainMesh::is_on(HalfEdge e, Point p) const {
-  return mesh().is_constrained(e) &&
-         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p,
-                      on_line_);
+  return mesh().is_constrained(e) && lies_between(mesh().point(mesh().origin(e)),
+                                                  mesh().point(mesh().destination(e)), p, on_line_);
 }
 
 // A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.

@@ -28,11 +28,8 @@ double rounding_along(double first, double step, std::uint32_t count) {
 }
 
 InputError too_coarse(const HeightGrid& grid, const std::string& problem) {
-  const double south = grid.origin.y + std::min(0.0, (grid.rows - 1.0) * grid.step_y);
   return {grid.source, problem,
-          "count coordinates from a place nearby: --origin " +
-              to_decimal_text(std::floor(grid.origin.x)) + ' ' +
-              to_decimal_text(std::floor(south))};
+          "count coordinates from a place nearby: " + advice_to_count_from_nearby(grid)};
 }
 
 }  // namespace
@@ -40,6 +37,12 @@ InputError too_coarse(const HeightGrid& grid, const std::string& problem) {
 double world_rounding(const HeightGrid& grid) {
   return std::max(rounding_along(grid.origin.x, grid.step_x, grid.columns),
                   rounding_along(grid.origin.y, grid.step_y, grid.rows));
+}
+
+std::string advice_to_count_from_nearby(const HeightGrid& grid) {
+  const double south = grid.origin.y + std::min(0.0, (grid.rows - 1.0) * grid.step_y);
+  return "--origin " + to_decimal_text(std::floor(grid.origin.x)) + ' ' +
+         to_decimal_text(std::floor(south));
 }
 
 void check_world_rounding(const HeightGrid& grid) {

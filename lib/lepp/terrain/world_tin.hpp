@@ -28,6 +28,8 @@ WorldTin to_world(Tin tin, const HeightGrid& grid);
 double world_rounding(const HeightGrid& grid);
 /// \throw InputError  that is more than 1e-4: places between samples would be lost
 void check_world_rounding(const HeightGrid& grid);
+/// What to do about it: "--origin 500000 4649776".
+std::string advice_to_count_from_nearby(const HeightGrid& grid);
 /// Says that triangles are too thin for the grid's world coordinates.
 InputError rounding_error(const HeightGrid& grid);
 /// True if every triangle is.
