@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 
+#include "lepp/terrain/cell_buckets.hpp"
 #include "lepp/terrain/sample_space.hpp"
 
 namespace lepp {
 
 namespace {
 
-constexpr int most_rounds = 10;
+constexpr int most_rounds = 6;
 // Nobody is told of moves shorter than this, in cells: they are those of rounding.
 constexpr double noticeable = 0x1p-20;
 
@@ -33,75 +33,6 @@ Foot foot_on(Point a, Point b, Point p) {
   if (a.y == b.y) place.y = a.y;
   return {part, distance(place, p), place};
 }
-
-// Things by the cell of the grid that they are in, a cell around the grid included.
-class Buckets {
- public:
-  explicit Buckets(const HeightGrid& grid)
-      : aspect_(grid.aspect()), columns_(grid.columns), rows_(grid.rows) {}
-
-  bool has(Point p) const {
-    const double line = p.y / aspect_;
-    return p.x >= -1 && p.x <= columns_ && line >= -1 && line <= rows_;
-  }
-
-  void add(Point p, std::uint32_t thing) {
-    if (has(p)) of_cell_[cell(std::floor(p.x), std::floor(p.y / aspect_))].push_back(thing);
-  }
-  void add(Point a, Point b, double reach, std::uint32_t thing) {
-    for_each_cell(a, b, reach, [&](std::uint64_t c) { of_cell_[c].push_back(thing); });
-  }
-
-  // Calls visit(thing), perhaps more than once, for all within `reach` of the place or segment.
-  template <class Visit>
-  void near(Point p, double reach, Visit visit) const {
-    near(p, p, reach, visit);
-  }
-  template <class Visit>
-  void near(Point a, Point b, double reach, Visit visit) const {
-    for_each_cell(a, b, reach, [&](std::uint64_t c) {
-      const auto found = of_cell_.find(c);
-      if (found == of_cell_.end()) return;
-      for (const std::uint32_t thing : found->second) visit(thing);
-    });
-  }
-
- private:
-  static std::uint64_t cell(double column, double line) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(line) + 1) << 32 |
-           static_cast<std::uint64_t>(static_cast<std::int64_t>(column) + 1);
-  }
-
-  // Slab by slab along the longer side of its box; `reach` is in grid space.
-  template <class Visit>
-  void for_each_cell(Point a, Point b, double reach, Visit visit) const {
-    a.y /= aspect_;
-    b.y /= aspect_;
-    const double across = reach / aspect_;
-    const bool is_wide = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
-    const double reach_along = is_wide ? reach : across, reach_beside = is_wide ? across : reach;
-    const double most_along = is_wide ? columns_ : rows_, most_beside = is_wide ? rows_ : columns_;
-    if (!is_wide) {
-      std::swap(a.x, a.y);
-      std::swap(b.x, b.y);
-    }
-    if (a.x > b.x) std::swap(a, b);
-    const double slope = b.x > a.x ? (b.y - a.y) / (b.x - a.x) : 0;
-    const double first = std::max(std::floor(a.x - reach_along), -1.0);
-    const double last = std::min(std::floor(b.x + reach_along), most_along);
-    for (double slab = first; slab <= last; ++slab) {
-      const double from = std::clamp(slab, a.x, b.x), to = std::clamp(slab + 1, a.x, b.x);
-      const auto [low, high] = std::minmax({a.y + slope * (from - a.x), a.y + slope * (to - a.x)});
-      const double end = std::min(std::floor(high + 2 * reach_beside), most_beside);
-      for (double k = std::max(std::floor(low - 2 * reach_beside), -1.0); k <= end; ++k) {
-        visit(is_wide ? cell(slab, k) : cell(k, slab));
-      }
-    }
-  }
-
-  double aspect_, columns_, rows_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> of_cell_;
-};
 
 class Snapper {
  public:
@@ -252,7 +183,7 @@ class Snapper {
 
   // A line that passes a point or a sample is led through it.
   bool bend_segments() {
-    Buckets points(grid_);
+    CellBuckets points(grid_);
     for (const Segment& s : graph_.pslg.segments) {
       points.add(point(s.a), s.a.value);
       points.add(point(s.b), s.b.value);
@@ -265,7 +196,7 @@ class Snapper {
     return graph_.pslg.segments.size() != segments.size();
   }
 
-  std::vector<Cut> cuts_of(const Segment& s, const Buckets& points) {
+  std::vector<Cut> cuts_of(const Segment& s, const CellBuckets& points) {
     std::vector<Cut> cuts;
     const Point a = point(s.a), b = point(s.b);
     const double reach = is_outline(s) ? same_place : reach_;
@@ -347,8 +278,8 @@ class Snapper {
   std::vector<Point> before_;
   std::vector<VertexId> becomes_;
   std::vector<bool> on_outline_;
-  std::optional<Buckets> kept_;     // points
-  std::optional<Buckets> outline_;  // segments
+  std::optional<CellBuckets> kept_;     // points
+  std::optional<CellBuckets> outline_;  // segments
 };
 
 }  // namespace
