@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/io/raster_layout.hpp"
 #include "terrain_files.hpp"
 #include "terrain_options.hpp"
@@ -22,6 +24,21 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Files of 32-bit coordinates leave few digits within a cell where the grid is large.
+void warn_of_floats(const WorldTin& tin, const HeightGrid& grid, const TerrainCommand& command,
+                    std::vector<std::string>& warnings) {
+  constexpr double noticeable = 1e-4;  // of a cell
+  const auto digits = offset_of_format(command.output.target, command.tin_format());
+  if (!digits) return;
+  const double moved = rounding_of_float_file(tin, *digits);
+  const double of_cell = moved / std::min(grid.step_x, std::abs(grid.step_y));
+  if (of_cell <= noticeable) return;
+  warnings.push_back(
+      "the coordinates of the file are 32-bit numbers, which moves vertices by up to " +
+      lepp::to_text(moved) + ", " + lepp::to_text(float(of_cell)) +
+      " of a cell; what was measured is the TIN before");
 }
 
 int status_of(const TerrainReport& report) {
@@ -81,22 +98,45 @@ TerrainJob job_of(const TerrainCommand& command, const Piece& piece,
   return job;
 }
 
+// Lines are read before, in the coordinates of the file.
+void count_from_origin(Point origin, Piece& piece, DomainOptions& domain,
+                       std::vector<std::string>& warnings) {
+  const bool had_crs = !piece.grid.crs.empty();
+  lepp::count_from(origin, piece.grid);
+  if (piece.whole) lepp::count_from(origin, *piece.whole);
+  for (Breakline& line : domain.breaklines) {
+    for (Point& p : line.points) p = p - origin;
+  }
+  for (ClipPolygon& polygon : domain.clip) {
+    for (std::vector<Point>& ring : polygon.rings) {
+      for (Point& p : ring) p = p - origin;
+    }
+  }
+  if (!had_crs) return;
+  warnings.push_back("coordinates count from " + lepp::to_text(origin) +
+                     ", so the coordinate reference system is not written");
+}
+
 void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& command) {
   for (std::size_t i = 0; i < made.coarser.size(); ++i) {
     write_level(made.coarser[i], grid.cell_width, command, level_suffix(i + 1));
     made.report.levels[i].output = made.coarser[i].figures.output;
   }
   write_level(made.finest, grid.cell_width, command, "");
+  warn_of_floats(made.finest.world, grid, command, made.report.warnings);
   made.report.whole.output = made.finest.figures.output;
 }
 
 int run_whole(const TerrainCommand& command, TerrainReport& report) {
   const auto start = Clock::now();
   check_terrain_files(command);
-  const Piece piece = read_piece(command);
-  check_terrain_files(command, piece.place().whole);
+  Piece piece = read_piece(command);
   std::vector<std::string> warnings = piece.place().whole.warnings;
-  const TerrainJob job = job_of(command, piece, warnings);
+  TerrainJob job = job_of(command, piece, warnings);
+  if (command.origin.size() == 2) {
+    count_from_origin({command.origin[0], command.origin[1]}, piece, job.domain, warnings);
+  }
+  check_terrain_files(command, piece.place().whole);
   const double reading = seconds_since(start);
   MadeTerrain made = make_terrain(piece.grid, piece.place(), job);
   const int status = status_of(made.report);
@@ -210,6 +250,12 @@ void add_inputs(CLI::App& app, TerrainCommand& command) {
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata,
                  "value of the file, before scale and offset, that means no data");
+  app.add_option(
+         "--origin", command.origin,
+         "X Y: subtracted from all coordinates that are written or reported, for cells that "
+         "are small beside them")
+      ->expected(2)
+      ->check(finite_number());
   app.add_option("--clip", command.clip,
                  "polygons outside of which nothing is meshed: GeoJSON, or what GDAL reads; may be "
                  "given again");

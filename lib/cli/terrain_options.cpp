@@ -59,6 +59,7 @@ void check_tiles(const TerrainCommand& c) {
   refuse(!c.level_vertices.empty(), "--level-vertices",
          "are of the whole and cannot go with --tiles; give --levels");
   refuse(c.nonobtuse, "--nonobtuse", "would cut the borders of tiles");
+  refuse(!c.origin.empty(), "--origin", "does not go with --tiles");
   const bool has_lines = !(c.clip.empty() && c.breaklines.empty() && c.soft_breaklines.empty());
   refuse(has_lines, "--tiles",
          "does not go with --clip and --breaklines, which would cut the borders of tiles");

@@ -44,6 +44,7 @@ struct TerrainCommand {
   std::optional<Effort> effort;
   std::vector<double> cell;  ///< none or two
   std::optional<double> nodata;
+  std::vector<double> origin;  ///< none or two
   std::vector<std::filesystem::path> clip, breaklines, soft_breaklines;
   std::vector<std::uint32_t> window;  ///< none, or column, row, width and height
   std::string tiles;
@@ -74,7 +75,7 @@ void check_terrain_options(const TerrainCommand& command);
 
 /// What the core is asked for. \param range  of the heights of the grid
 SimplifyOptions simplify_options(const TerrainCommand& command, double range);
-/// Reads clip polygons and breaklines.
+/// Reads clip polygons and breaklines, in the world coordinates of the file.
 DomainOptions domain_options(const TerrainCommand& command, const HeightGrid& grid,
                              std::vector<std::string>& warnings);
 /// The error of borders, if they are to be fixed.

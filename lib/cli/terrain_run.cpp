@@ -43,6 +43,7 @@ class Run {
 
   MadeTerrain operator()() {
     describe(grid_, made_.report);
+    check_world_rounding(place_.whole);
     report().seconds.domain = timed([&] {
       domain_ = terrain_domain(grid_, job_.domain);
       if (job_.border_error) {
@@ -111,6 +112,7 @@ class Run {
     judged_in_world_ = made.judged_in_world;
     simplified_.unfinished = std::move(made.unfinished);
     simplified_.goal_reached = made.goal_reached;
+    advise_on_rounding();
     if (judged_in_world_) return;
     report().warnings.push_back(
         "the file's coordinates have not the proportions of the cells, so the mesh is admissible "
@@ -130,6 +132,18 @@ class Run {
     options.is_fixed = fixed_vertices(grid_, domain_, made.tin.mesh);
     options.go_on = [] { return !interrupted(); };
     fit_heights(grid_, made.tin, options);
+  }
+
+  // Between lines that meet at small angles, triangles may be as small as rounding is.
+  void advise_on_rounding() {
+    constexpr double noticeable = 1e-8;  // of a cell
+    const bool is_rounded = judged_in_world_ && world_rounding(grid_) > noticeable;
+    const auto at_floor = [](const Unfinished& u) { return u.reason == Reason::size_floor; };
+    if (!is_rounded || std::ranges::none_of(simplified_.unfinished, at_floor)) return;
+    report().warnings.push_back(
+        "coordinates are so large that rounding spoils the smallest triangles; counting from a "
+        "place nearby may help: " +
+        advice_to_count_from_nearby(grid_));
   }
 
   // Beside borders that must not be cut, the angle bound is out of reach of any method.
@@ -218,7 +232,7 @@ class Run {
     judge_in_space();
     // Asked for a number of vertices alone, a run may be as far off as it is.
     const bool is_good = job_.claims_error ? simplified_.goal_reached : angles_reached();
-    r.goal_reached = is_good && !interrupted() && r.admissible.value_or(true);
+    r.goal_reached = is_count_kept() && is_good && !interrupted() && r.admissible.value_or(true);
     if (job_.claims_error) r.error_kept = is_kept(r.whole.error, job_.simplify.max_error);
     if (job_.claims_error && r.goal_reached && !*r.error_kept) break_rule("the error is not kept");
     check_coverage(r.whole.error);
@@ -231,6 +245,16 @@ class Run {
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }
+
+  bool is_count_kept() {
+    const std::size_t most = job_.simplify.max_vertices;
+    if (report().whole.vertices <= most) return true;
+    report().warnings.push_back("the outline and lines alone have " +
+                                std::to_string(simplified_.first_prefix) +
+                                " vertices, more than the " + std::to_string(most) +
+                                " asked for; a larger --max-vertices is needed, or fewer lines");
+    return false;
+  }
 
   void break_rule(const std::string& what) {
     report().valid = false;

@@ -38,6 +38,14 @@ CLI::Validator number_above_zero() {
       ""};
 }
 
+CLI::Validator finite_number() {
+  return {[](const std::string& text) {
+            const auto value = number_in<double>(text);
+            return unless(value && std::isfinite(*value), text, "a number");
+          },
+          ""};
+}
+
 CLI::Validator whole_number_from(std::uint64_t least) {
   return {[least](const std::string& text) {
             const auto value = number_in<std::uint64_t>(text);

@@ -22,6 +22,7 @@ std::optional<Number> number_in(std::string_view text) {
 /// What the values of options must be. Each message says what to give, in one line.
 CLI::Validator number_from(double least, double most);
 CLI::Validator number_above_zero();
+CLI::Validator finite_number();
 /// \param least  0 or more
 CLI::Validator whole_number_from(std::uint64_t least);
 /// NAME=VALUE with a value above 0.

@@ -92,6 +92,35 @@ TEST_CASE("STL far from the origin is written relative to a corner that its head
   CHECK(bytes.next<float>() == 0.75f);
 }
 
+TEST_CASE("offsets of float files have the digits that a grid in degrees needs") {
+  WorldTin tin = small_tin();
+  const auto at = [&](Point corner, double size) {
+    tin.mesh = test::two_triangles(corner, {corner.x + size, corner.y},
+                                   {corner.x + size, corner.y + size}, {corner.x, corner.y + size});
+    return offset_of_float_files(tin);
+  };
+  CHECK(at({-117.123456, 36.98765}, 0.02) == Point{-117.13, 36.98});
+  CHECK(rounding_of_float_file(tin, OffsetDigits::decimal) < 0.02 * 0x1p-23);
+  CHECK(rounding_of_float_file(tin, OffsetDigits::whole) > 0.02 * 0x1p-23);
+  CHECK(at({-117.123456, 36.98765}, 25) == Point{-118, 36});
+  CHECK(at({0.5, 0.5}, 25) == Point{0, 0});
+  CHECK(at({-117.123456, 36.98765}, 0.5) == Point{-117.2, 36.9});
+  CHECK(offset_of_float_files(tin, OffsetDigits::whole) == Point{-118, 36});
+  const ScratchFolder folder;
+  write_stl(tin, folder / "a.stl");
+  CHECK(contains(folder.text("a.stl"), "add -117.2 to x, 36.9 to y"));
+}
+
+TEST_CASE("single-precision Selafin refuses what its 32 bits cannot hold") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  tin.mesh = test::two_triangles({1e10, 0}, {1e10 + 1, 0}, {1e10 + 1, 1}, {1e10, 1});
+  CHECK_THROWS_AS(write_selafin(tin, folder / "a.slf", SelafinPrecision::floats), RefusedError);
+  tin.mesh = test::two_triangles({0, 0}, {1e8, 0}, {1e8, 1e8}, {1e8 - 1, 1e8});
+  CHECK_THROWS_AS(write_selafin(tin, folder / "a.slf", SelafinPrecision::floats), InputError);
+  CHECK_FALSE(std::filesystem::exists(folder / "a.slf"));
+}
+
 TEST_CASE("STL refuses triangles that its floats cannot hold") {
   const ScratchFolder folder;
   WorldTin tin = small_tin();

@@ -142,6 +142,19 @@ TEST_CASE("a number of vertices that is too small for the error is status 3 and 
   CHECK(read_obj(folder / "t.obj").vertices.size() <= 120);
 }
 
+TEST_CASE("a number of vertices that the outline alone exceeds is status 3, and says so") {
+  const ScratchFolder folder;
+  const std::string command = "terrain " + hill() + " -o t.obj --max-vertices 10 ";
+  for (const std::string by : {"lepp", "greedy"}) {
+    const Outcome made = run(folder.path(), command + "--by " + by);
+    CHECK(made.status == 3);
+    CHECK(has(made.out + made.err, "the outline and lines alone have"));
+    CHECK(files_in(folder.path()).empty());
+  }
+  CHECK(run(folder.path(), command + "--allow-unfinished").status == 3);
+  CHECK(read_obj(folder / "t.obj").vertices.size() > 10);
+}
+
 TEST_CASE("levels are nested, each with its error, each in a file and a picture of its own") {
   const ScratchFolder folder;
   const HeightGrid grid = hill_grid();
@@ -184,6 +197,46 @@ TEST_CASE("--nonobtuse: the file is admissible, and the error is kept") {
       run(folder.path(), "check t.msh --nonobtuse --admissible --delaunay --min-angle 30");
   CHECK(checked.status == 0);
   CHECK(has(checked.out, "read in plan, without its heights"));
+}
+
+TEST_CASE("cells that world coordinates cannot hold are refused, and --origin is what helps") {
+  const ScratchFolder folder;
+  std::ofstream(folder / "tiny.asc")
+      << "ncols 3\nnrows 3\nxllcorner 500000.25\nyllcorner 4649776.5\n"
+         "cellsize 0.00000095367431640625\n1 2 3\n2 7 4\n3 4 5\n";
+  const Outcome refused = run(folder.path(), "terrain tiny.asc -o t.obj --max-error 0");
+  CHECK(refused.status == 2);
+  CHECK(has(refused.err, "--origin 500000 4649776"));
+  const Outcome made = run(folder.path(),
+                           "terrain tiny.asc -o t.obj --max-error 0 --nonobtuse "
+                           "--origin 500000 4649776");
+  CHECK(made.status == 0);
+  const ObjTin tin = read_obj(folder / "t.obj");
+  CHECK(tin.vertices.size() >= 5);
+  for (const auto& [x, y, z] : tin.vertices) {  // pixel centres, from half a cell on
+    CHECK((x >= 0.25 + 0x1p-21 && x <= 0.25 + 5 * 0x1p-21));
+    CHECK((y >= 0.5 + 0x1p-21 && y <= 0.5 + 5 * 0x1p-21));
+  }
+}
+
+TEST_CASE("--origin goes for lines, too, and takes the coordinate reference system away") {
+  const ScratchFolder folder;
+  std::ofstream(folder / "a.asc") << "ncols 4\nnrows 4\nxllcorner 1000\nyllcorner 2000\n"
+                                     "cellsize 1\n1 2 3 4\n1 2 3 4\n1 2 3 4\n1 2 3 4\n";
+  std::ofstream(folder / "a.prj") << "LOCAL_CS[\"here\",UNIT[\"metre\",1]]\n";
+  std::ofstream(folder / "c.geojson")
+      << R"({"type":"Polygon","coordinates":[[[1000.5,2000.5],[1002.5,2000.5],)"
+         R"([1002.5,2003.5],[1000.5,2003.5],[1000.5,2000.5]]]})";
+  const Outcome made = run(folder.path(),
+                           "terrain a.asc -o t.obj --max-error 0 --origin 1000 2000 "
+                           "--clip c.geojson");
+  CHECK(made.status == 0);
+  for (const auto& [x, y, z] : read_obj(folder / "t.obj").vertices) {
+    CHECK((x == 0.5 || x == 2.5));
+    CHECK((y == 0.5 || y == 3.5));
+  }
+  CHECK_FALSE(fs::exists(folder / "t.prj"));
+  CHECK(has(made.out + made.err, "coordinates count from (1000, 2000)"));
 }
 
 TEST_CASE("heights of more digits than floats hold are kept: whole, in tiles, in both modes") {

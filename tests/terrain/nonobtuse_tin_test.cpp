@@ -98,6 +98,23 @@ TEST_CASE("vertices that cut a line with heights of its own lie on it") {
   CHECK(on_line > 2);
 }
 
+TEST_CASE("samples that are inserted on a line with heights of its own do not change it") {
+  const HeightGrid grid = rough(20, 20, 5);
+  DomainOptions lines;  // through many samples, all far below
+  lines.breaklines.push_back({{grid.to_world({2, 9}), grid.to_world({17, 9})}, {500, 500}, "wall"});
+  const TerrainDomain domain = terrain_domain(grid, lines);
+  NonobtuseTinOptions options;
+  options.max_error = 1;
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 1), options);
+  CHECK_FALSE(made.goal_reached);  // the samples below the wall
+  for (std::size_t i = 0; i < made.tin.mesh.vertex_count(); ++i) {
+    const Point p = made.tin.mesh.point(VertexId(i));
+    if (p.y != 9 || p.x < 2 || p.x > 17) continue;
+    CAPTURE(p.x);
+    CHECK(made.tin.heights[i] == doctest::Approx(500));
+  }
+}
+
 TEST_CASE("heights stay with their places in a TIN that is refined in spatial order") {
   const HeightGrid grid = grid_of(180, 180, [](double x, double y) {  // nearly every sample counts
     return std::fmod(7919 * x + 104729 * y, 97.0);
@@ -133,6 +150,60 @@ TEST_CASE("what is measured are the triangles of the result, also where four are
     }
     CHECK(measure_error(grid, written).max <= error + 1e-9);
   }
+}
+
+TEST_CASE("cells that are small beside world coordinates: samples stay what they are") {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    for (const double cell : {0.1, 0.001}) {
+      CAPTURE(seed);
+      CAPTURE(cell);
+      HeightGrid grid = rough(14, 11, seed);
+      Random random(seed);
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      for (std::size_t i = 0; i < grid.size(); ++i) {  // chains of samples, any slope of outlines
+        if (random.one_in(2)) grid.heights.set(i, none);
+      }
+      for (std::uint32_t row = 0; row < 11; ++row) {
+        for (std::uint32_t column = 0; column < 14; ++column) {
+          if (column + 2 * row > 16) grid.heights.set(grid.index(column, row), 5);
+        }
+      }
+      grid.origin = {500000.37, 4649776.22};
+      grid.step_x = grid.cell_width = cell;
+      grid.step_y = -cell;
+      grid.cell_height = cell;
+      const TerrainDomain domain = terrain_domain(grid);
+      NonobtuseTinOptions options;  // every sample counts
+      const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 0), options);
+      CHECK(made.goal_reached);
+      CHECK(validate(made.in_world).summary() == "valid");
+      CHECK(certify(made.in_world).admissible);
+      CHECK(validate(made.tin.mesh, {.delaunay = false}).valid());
+      const TerrainError found = measure_error(grid, made.tin);
+      CHECK(found.max <= 1e-6);
+      CHECK(found.lost == 0);
+      CHECK(found.covered == 0);
+    }
+  }
+}
+
+TEST_CASE("samples on a slanting outline stay inside, whatever its cuts are rounded to") {
+  HeightGrid grid = hills(40, 21);
+  for (std::uint32_t row = 0; row < 21; ++row) {
+    for (std::uint32_t column = 2 * (20 - row); column < 40; ++column) {
+      grid.heights.set(grid.index(column, row), std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  grid.origin = {500000.37, 4649776.22};
+  grid.step_x = grid.cell_width = 0.001;
+  grid.step_y = -0.001;
+  grid.cell_height = 0.001;
+  const TerrainDomain domain = terrain_domain(grid);
+  NonobtuseTinOptions options;
+  options.max_error = 30;
+  const NonobtuseTin made = make_nonobtuse(grid, domain, simplified(grid, domain, 30), options);
+  CHECK(made.goal_reached);
+  CHECK(measure_error(grid, made.tin).lost == 0);
 }
 
 TEST_CASE("a line that is off by more than the error leaves the goal unreached") {

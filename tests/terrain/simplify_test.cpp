@@ -153,6 +153,42 @@ TEST_CASE("simplify: a bound on vertices is kept, and levels end at their counts
   CHECK(!report.goal_reached);  // the error asked for was 0
 }
 
+TEST_CASE("simplify: where angles alone take more vertices than there may be, they stay small") {
+  const HeightGrid level = grid_of(200, 9, [](double, double) { return 5; });
+  SimplifyReport report;
+  const std::size_t needed = simplify(level, rectangle(level), {}, report).mesh.vertex_count();
+  REQUIRE(needed > 15);
+  CHECK(simplify(level, rectangle(level), {.max_vertices = needed}, report).mesh.vertex_count() <=
+        needed);
+  CHECK(report.goal_reached);
+  for (const std::size_t most : {4U, 5U, 11U, 15U}) {
+    CAPTURE(most);
+    const Tin tin = simplify(level, rectangle(level), {.max_vertices = most}, report);
+    CHECK(tin.mesh.vertex_count() <= most);
+    CHECK(tin.mesh.vertex_count() + 3 > most);
+    CHECK_FALSE(report.goal_reached);
+    CHECK(std::ranges::all_of(report.unfinished,
+                              [](const Unfinished& u) { return u.reason == Reason::budget; }));
+    MeshClaims claims;
+    claims.min_angle_deg = 30;
+    claims.unfinished = report.unfinished;
+    CHECK(validate(tin.mesh, claims).summary() == "valid");
+  }
+}
+
+TEST_CASE("simplify: a domain of more vertices than there may be leaves the goal unreached") {
+  const HeightGrid grid = grid_of(30, 30, [](double, double) { return 5; });
+  TerrainDomain domain;
+  domain.pslg = polygon({0, 0, 10, 3, 29, 0, 26, 10, 29, 29, 12, 26, 0, 29});
+  for (const SimplifyBy by : both) {
+    SimplifyReport report;
+    const Tin tin = simplify(grid, domain, {.max_vertices = 6, .by = by}, report);
+    CHECK_FALSE(report.goal_reached);
+    CHECK(report.first_prefix == 7);
+    CHECK(tin.mesh.vertex_count() == 7);
+  }
+}
+
 TEST_CASE("simplify: the same bytes on every run") {
   const HeightGrid grid = rough(50, 40, 2);
   for (const SimplifyBy by : both) {

@@ -142,6 +142,14 @@ TEST_CASE("a breakline through a sample that stands alone crosses the square aro
   CHECK(area_of(domain) == 1 + 0.125);
 }
 
+TEST_CASE("a line crosses the square around a sample in a corner of the grid beyond the grid") {
+  const HeightGrid corner = grid_of({"..11", "..11", "....", "1..."});
+  const TerrainDomain domain =
+      terrain_domain(corner, {.breaklines = {{{{-0.5, -0.4}, {0.3, 0.3}}, {}, ""}}});
+  CHECK(segments_of_curve(domain, 1) == 1);
+  CHECK(area_of(domain) == doctest::Approx(1 + 0.125));
+}
+
 TEST_CASE("lines that make no sense are named") {
   const auto fails = [](const Breakline& line) {
     try {

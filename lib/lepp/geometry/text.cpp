@@ -11,6 +11,13 @@ std::string to_text(double value) {
   return {text.data(), end};
 }
 
+std::string to_decimal_text(double value) {
+  std::array<char, 512> text;  // 5e-324 has 326 characters, 1e308 has 309
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+}
+
 std::string to_text(Point p) {
   std::string text = to_text(p.x);
   text.insert(0, 1, '(');

@@ -10,6 +10,9 @@ namespace lepp {
 /// The shortest text that reads back as the same double, in every locale: "0.1", "1e+30".
 std::string to_text(double value);
 
+/// The same without an exponent: "1000000", "0.00001".
+std::string to_decimal_text(double value);
+
 /// "(x, y)", each coordinate as above: how every message names a place.
 std::string to_text(Point p);
 

@@ -43,9 +43,9 @@ void check_cell(const HeightGrid& grid) {
 void check_axis(const HeightGrid& grid, const std::string& axis, double begin, double end,
                 double step) {
   const double largest = std::max(std::abs(begin), std::abs(end));
-  // Of the 53 bits of a coordinate 13 tell places between two samples apart: without them rounding
-  // would turn triangles over.
-  constexpr double most_steps = 0x1p40;
+  // Beyond, samples side by side may have the same coordinate. What can be told apart but leaves
+  // little between is for check_world_rounding() to judge, after coordinates were made smaller.
+  constexpr double most_steps = 0x1p52;
   constexpr double smallest_step = 0x1p-80;  // so that differences of coordinates are no smaller
                                              // than min_coordinate
   const std::string of_axis = "its " + axis + " coordinates ";

@@ -1,5 +1,6 @@
 // TELEMAC Selafin: Fortran records, each between two counts of its bytes, all big-endian.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -9,6 +10,7 @@
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/binary_numbers.hpp"
 #include "lepp/io/boundary_loops.hpp"
+#include "lepp/io/float_points.hpp"
 #include "lepp/io/tin_files.hpp"
 
 namespace lepp {
@@ -90,25 +92,29 @@ void write_records(Records& records, const WorldTin& tin, Point origin) {
   records.numbers<Real>(points.size(), [&](std::size_t i) { return tin.heights[i]; });
 }
 
-void check_offset(Point offset, const std::filesystem::path& path) {
+Point origin_of_floats(const WorldTin& tin, const std::filesystem::path& path) {
+  const Point origin = offset_of_float_files(tin, OffsetDigits::whole);
   constexpr double most = std::numeric_limits<std::int32_t>::max();
-  if (std::abs(offset.x) <= most && std::abs(offset.y) <= most) return;
-  const std::string problem = "lies at " + to_text(offset) +
-                              ", too far away for the whole numbers of Selafin in single precision";
-  throw RefusedError(path.string(), problem, "write double precision: --format serafind");
+  if (std::max(std::abs(origin.x), std::abs(origin.y)) <= most) return origin;
+  throw RefusedError(path.string(),
+                     "has coordinates around " + to_text(origin) +
+                         ", beyond the 32 bits that single-precision Selafin has for an origin",
+                     "write doubles (--format serafind), or count from a place nearby (--origin)");
 }
 
 }  // namespace
 
 void write_selafin(const WorldTin& tin, const std::filesystem::path& path,
                    SelafinPrecision precision) {
-  const bool doubles = precision == SelafinPrecision::doubles;
-  const Point offset = doubles ? Point{0, 0} : offset_of_float_files(tin);
-  check_offset(offset, path);
   AtomicFiles files;
   Records records(files.add(path), path);
-  if (doubles) write_records<double>(records, tin, offset);
-  else write_records<float>(records, tin, offset);
+  if (precision == SelafinPrecision::doubles) {
+    write_records<double>(records, tin, {0, 0});
+  } else {
+    const Point origin = origin_of_floats(tin, path);
+    float_points(tin, origin, path);  // all triangles keep an area
+    write_records<float>(records, tin, origin);
+  }
   files.commit();
 }
 

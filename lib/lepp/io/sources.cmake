@@ -5,6 +5,7 @@ add_library(lepp_io
   lepp/io/classic_netcdf.cpp
   lepp/io/crs_wkt.cpp
   lepp/io/entity_table.cpp
+  lepp/io/float_points.cpp
   lepp/io/gdal_process.cpp
   lepp/io/gdal_record.cpp
   lepp/io/geo.cpp

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,18 @@ void write_obj(const WorldTin& tin, const std::filesystem::path& path);
 /// PLY, binary little-endian, coordinates as doubles.
 void write_ply(const WorldTin& tin, const std::filesystem::path& path);
 
+enum class OffsetDigits {
+  decimal,  ///< as many digits behind the point as a part of the extent needs, so few to print
+  whole,    ///< whole units: what Selafin has room for
+};
+
 /// What is subtracted from x and y in files of 32-bit coordinates: the south-west corner rounded
-/// down to whole units, or 0 where the coordinates are no larger than a few times the extent.
-Point offset_of_float_files(const WorldTin& tin);
+/// down, or 0 where the coordinates are no larger than twice the extent. In decimal digits it is
+/// rounded by less than the extent, so that 24 bits are left for places within the TIN.
+Point offset_of_float_files(const WorldTin& tin, OffsetDigits digits = OffsetDigits::decimal);
+
+/// The largest distance along x or y by which such a file moves a vertex.
+double rounding_of_float_file(const WorldTin& tin, OffsetDigits digits);
 
 /// STL, binary. Its floats keep 7 digits, so offset_of_float_files() is subtracted from x and y;
 /// the header of the file says what to add.
@@ -39,13 +49,13 @@ void write_2dm(const WorldTin& tin, const std::filesystem::path& path);
 
 enum class SelafinPrecision {
   doubles,  ///< SERAFIND
-  floats,   ///< SERAFIN: offset_of_float_files() is subtracted and stored in the file (X_ORIG)
+  floats,   ///< SERAFIN: offset_of_float_files(), whole, is subtracted and stored as X_ORIG
 };
 
 /// TELEMAC Selafin: one variable BOTTOM in metres, one time step. IPOBO numbers the boundary
 /// vertices loop by loop, the mesh on the left.
-/// \throw RefusedError  beyond 2^31 bytes in a record; floats that are to be relative to an origin
-///                      beyond 2^31
+/// \throw RefusedError  beyond 2^31 bytes in a record; floats: beyond 2^31 the origin is out of range
+/// \throw InputError    floats: triangles lose their area
 void write_selafin(const WorldTin& tin, const std::filesystem::path& path,
                    SelafinPrecision precision = SelafinPrecision::doubles);
 
@@ -72,6 +82,10 @@ std::vector<std::filesystem::path> tin_files_of(const std::filesystem::path& pat
 /// True if a file is a .prj with this coordinate reference system, blanks at its end apart: a TIN
 /// beside its grid may share it, and write_tin() leaves it as it is.
 bool is_prj_of(const std::filesystem::path& path, const std::string& crs);
+
+/// The digits of the offset, if write_tin() writes coordinates as floats.
+std::optional<OffsetDigits> offset_of_format(const std::filesystem::path& path,
+                                             const TinFormat& format = {});
 
 /// Writes the format that the name says: the ones above, .msh, .vtu (heights as z and as point
 /// data `height`) and .ele (with .node and .poly; heights as attribute). \pre is_tin_file(path)

@@ -71,6 +71,13 @@ bool is_prj_of(const fs::path& path, const std::string& crs) {
   return in && text.starts_with(crs) && text.find_first_not_of(" \t\r\n", crs.size()) == text.npos;
 }
 
+std::optional<OffsetDigits> offset_of_format(const fs::path& path, const TinFormat& format) {
+  if (path.extension() == ".stl") return OffsetDigits::decimal;
+  const bool floats = format.selafin == SelafinPrecision::floats;
+  if (path.extension() == ".slf" && floats) return OffsetDigits::whole;
+  return std::nullopt;
+}
+
 void write_tin(const WorldTin& tin, const fs::path& path, const TinFormat& format) {
   AtomicFiles beside;  // complete before the mesh is there, and named only behind it
   const fs::path prj = fs::path(path).replace_extension(".prj");

@@ -177,6 +177,12 @@ class DomainCutter {
       partly += kept_[i + 1] != 0 && kept_[i + 1] < pieces[i + 1];
     }
     const std::string of = " of " + std::to_string(options_.breaklines.size()) + " breaklines ";
+    if (arrangement_.places_joined != 0) {
+      domain_.warnings.push_back("in " + std::to_string(arrangement_.places_joined) +
+                                 " places, lines within 0.01 cells of each other, of a sample or "
+                                 "of the outline were moved "
+                                 "to meet there");
+    }
     if (outside != 0) {
       domain_.warnings.push_back(std::to_string(outside) + of +
                                  "lie outside the domain and are left out");

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
-#include <optional>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
-#include "lepp/geometry/split_crossings.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/terrain/near_lines.hpp"
+#include "lepp/terrain/snap_lines.hpp"
 
 namespace lepp {
 
@@ -52,26 +51,23 @@ class Arranger {
         add_ring(options.clip[i].rings[r], curve, name_of_ring(i, r));
     }
     for (const Segment& s : outline_.segments) {
-      if (is_near(s)) add_outline(s, pslg_);
+      if (is_near(s)) add_outline(s);
     }
-    heights_.resize(pslg_.segments.size());
-    SplitPslg split = split_crossings(pslg_);
-    if (add_samples_beside_cuts(split)) split = split_crossings(pslg_);
-    std::vector<double> heights = heights_of_points(split);
+    graph_.heights.resize(pslg_.segments.size());
+    Arrangement result;
+    result.places_joined = snap_lines(grid_, graph_);
+    number_points();
     for (const Segment& s : outline_.segments) {
-      if (!is_near(s)) add_outline(s, split.pslg);
+      if (!is_near(s)) add_outline(s);
     }
-    heights.resize(split.pslg.points.size(), unset);
-    split.pslg.segment_numbers.clear();
-    return {std::move(split.pslg), std::move(kind_), std::move(heights)};
+    graph_.heights.resize(pslg_.segments.size());
+    result.fixed_heights = heights_of_points();
+    result.pslg = std::move(pslg_);
+    result.kind = std::move(kind_);
+    return result;
   }
 
  private:
-  // What the line asks for at the ends of a segment, or nothing.
-  struct EndHeights {
-    double a = unset, b = unset;
-  };
-
   CurveId add_curve(LineKind kind) {
     CurveEntity& curve = pslg_.entities.curves.emplace_back();
     curve.tag = static_cast<int>(pslg_.entities.curves.size());
@@ -91,7 +87,7 @@ class Arranger {
 
   void add_segment(std::size_t a, std::size_t b, CurveId curve, EndHeights heights) {
     pslg_.segments.push_back({VertexId(a), VertexId(b), curve});
-    heights_.push_back(heights);
+    graph_.heights.push_back(heights);
     near_.add(pslg_.points[a], pslg_.points[b]);
   }
 
@@ -99,18 +95,17 @@ class Arranger {
     return near_.is_near(outline_.points[s.a.index()], outline_.points[s.b.index()]);
   }
 
-  // A segment of the outline, which no line can cut unless it is near one.
-  void add_outline(const Segment& s, Pslg& to) {
+  void add_outline(const Segment& s) {
     const auto vertex = [&](VertexId v) {
       std::uint32_t& number = number_[v.index()];
       if (number == none) {
-        number = static_cast<std::uint32_t>(to.points.size());
-        to.points.push_back(outline_.points[v.index()]);
+        number = static_cast<std::uint32_t>(pslg_.points.size());
+        pslg_.points.push_back(outline_.points[v.index()]);
       }
       return VertexId(number);
     };
     const VertexId a = vertex(s.a), b = vertex(s.b);
-    to.segments.push_back({a, b, s.curve});
+    pslg_.segments.push_back({a, b, s.curve});
   }
 
   void add_breakline(const Breakline& line, const std::string& name) {
@@ -153,50 +148,26 @@ class Arranger {
       add_segment(first + i, first + (i + 1) % count, curve, {});
   }
 
-  // A cut is rounded, so it may bend a slanting segment of the outline away from samples on it. The
-  // two samples on either side of a cut become points, then no piece that moves has any.
-  // False if none were needed.
-  bool add_samples_beside_cuts(const SplitPslg& split) {
-    const std::size_t before = pslg_.points.size();
-    for (std::size_t i = 1; i < split.segment_of.size(); ++i) {
-      if (split.segment_of[i] != split.segment_of[i - 1]) continue;  // no cut between the two
-      const Segment& s = pslg_.segments[split.segment_of[i].index()];
-      if (s.curve == CurveId(0U)) add_samples_beside(s, split.pslg.segments[i].t_a);
+  // The outline's points are where they were, but have other numbers.
+  void number_points() {
+    std::map<Point, VertexId> at;
+    for (const Segment& s : pslg_.segments) {
+      if (!is_outline(s)) continue;
+      for (const VertexId v : {s.a, s.b}) at.emplace(pslg_.points[v.index()], v);
     }
-    return pslg_.points.size() != before;
-  }
-
-  void add_samples_beside(const Segment& s, double t) {
-    const auto a = sample_at(pslg_.points[s.a.index()]), b = sample_at(pslg_.points[s.b.index()]);
-    if (!a || !b) return;  // around an island
-    const std::int64_t columns = b->first - a->first, lines = b->second - a->second;
-    const std::int64_t pieces = std::gcd(columns, lines);
-    if (columns == 0 || lines == 0 || pieces == 1) return;
-    const auto piece = static_cast<std::int64_t>(t * double(pieces));
-    for (std::int64_t k = std::max<std::int64_t>(piece - 1, 1); k <= piece + 2 && k < pieces; ++k) {
-      pslg_.points.push_back(
-          grid_.sample(static_cast<std::uint32_t>(a->first + k * (columns / pieces)),
-                       static_cast<std::uint32_t>(a->second + k * (lines / pieces))));
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (number_[i] != none) number_[i] = at.at(outline_.points[i]).value;
     }
   }
 
-  // Column and line, of a sample.
-  std::optional<std::pair<std::int64_t, std::int64_t>> sample_at(Point p) const {
-    const double line = p.y / grid_.aspect();
-    if (p.x != std::round(p.x) || line != std::round(line)) return std::nullopt;
-    return std::pair(static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(line));
-  }
-
-  // Along each hard segment; the parameters of its pieces run from 0 to 1.
-  std::vector<double> heights_of_points(const SplitPslg& split) const {
-    std::vector<double> heights(split.pslg.points.size(), unset);
-    for (std::size_t i = 0; i < split.pslg.segments.size(); ++i) {
-      const Segment& piece = split.pslg.segments[i];
-      const EndHeights& ends = heights_[split.segment_of[i].index()];
-      if (std::isnan(ends.a)) continue;
-      for (const auto& [v, t] : {std::pair(piece.a, piece.t_a), std::pair(piece.b, piece.t_b)}) {
-        double& height = heights[v.index()];
-        if (std::isnan(height)) height = t == 1 ? ends.b : ends.a + t * (ends.b - ends.a);
+  // Where two hard lines meet, the first one counts.
+  std::vector<double> heights_of_points() const {
+    std::vector<double> heights(pslg_.points.size(), unset);
+    for (std::size_t i = 0; i < pslg_.segments.size(); ++i) {
+      const Segment& s = pslg_.segments[i];
+      for (const auto& [v, height] :
+           {std::pair(s.a, graph_.heights[i].a), std::pair(s.b, graph_.heights[i].b)}) {
+        if (std::isnan(heights[v.index()])) heights[v.index()] = height;
       }
     }
     return heights;
@@ -208,9 +179,9 @@ class Arranger {
   const Pslg& outline_;
   std::vector<std::uint32_t> number_;  // of each point of the outline
   NearLines near_;
-  Pslg pslg_;  // the lines and what of the outline is near them
+  LineGraph graph_;  // the lines and what of the outline is near them, then all of it
+  Pslg& pslg_ = graph_.pslg;
   std::vector<LineKind> kind_;
-  std::vector<EndHeights> heights_;  // one per segment
 };
 
 }  // namespace

@@ -39,7 +39,14 @@ void LeppLoop::run(double error, std::size_t vertices) {
   const bool is_limited = vertices < std::numeric_limits<std::size_t>::max();
   terrain_.set_enough(is_limited ? std::numeric_limits<double>::infinity() : error);
   start();
-  while (may_go_on() && take_turn(vertices)) note_changes();
+  within_.reset();
+  while (mesh_.vertex_count() <= vertices && may_go_on()) {
+    keep_within(vertices);
+    if (!take_turn(vertices)) break;
+    note_changes();
+  }
+  limited_ = mesh_.vertex_count() > vertices && !kept_;
+  if (limited_) kept_ = std::exchange(within_, std::nullopt);
   if (!kept_ || (mesh_.vertex_count() <= vertices && heap_->top_error() <= kept_error_)) return;
   terrain_.restore(std::move(*kept_));
   kept_.reset();
@@ -103,7 +110,6 @@ bool LeppLoop::take_turn(std::size_t vertices) {
     if (improve(*t) && mesh_.vertices(*t) == before) targets_->add(mesh_, *t);
     return true;
   }
-  if (mesh_.vertex_count() > vertices) return false;
   keep_if_best(vertices);
   const auto t = heap_->top();
   if (!t || mesh_.vertex_count() == vertices) return false;
@@ -123,6 +129,14 @@ void LeppLoop::keep_if_best(std::size_t vertices) {
   if (count < from || (kept_ && error >= kept_error_)) return;
   kept_ = terrain_.save();
   kept_error_ = error;
+}
+
+// Where small angles take all vertices that there are to be, before an error was looked at.
+void LeppLoop::keep_within(std::size_t vertices) {
+  constexpr std::size_t most_at_once = 16;
+  const std::size_t count = mesh_.vertex_count();
+  if (kept_ || vertices - count >= most_at_once) return;
+  if (!within_ || within_->tin.mesh.vertex_count() != count) within_ = terrain_.save();
 }
 
 // ---- errors -------------------------------------------------------------------------------------

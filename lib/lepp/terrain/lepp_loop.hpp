@@ -28,7 +28,8 @@ class LeppLoop {
   LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<bool()> go_on);
 
   /// Works until every error is at most `error` and every angle that can be bettered reaches the
-  /// bound. With `vertices` it ends with at most so many, at the least error that it came by.
+  /// bound. With `vertices` it ends with at most so many, at the least error that it came by; with
+  /// small angles left if those alone would take more, and at once if there are more.
   /// Ends: samples become vertices once; other places are those of refine(), which are far apart;
   /// a vertex may move only so often; and there is a budget.
   void run(double error, std::size_t vertices);
@@ -41,6 +42,8 @@ class LeppLoop {
   /// True if the last run() gave up `t` because of a side of the domain that must stay whole.
   bool met_kept_border(TriangleId t) const;
   bool cancelled() const { return cancelled_; }
+  /// True if the last run() left small angles for want of vertices.
+  bool limited() const { return limited_; }
   bool out_of_budget() const { return mesh_.vertex_count() >= budget_; }
 
  private:
@@ -55,6 +58,7 @@ class LeppLoop {
   bool take_turn(std::size_t vertices);
   void note_changes();
   void keep_if_best(std::size_t vertices);
+  void keep_within(std::size_t vertices);
 
   bool is_improvable(TriangleId t) const;
   bool improve(TriangleId t);
@@ -103,6 +107,8 @@ class LeppLoop {
 
   std::optional<TerrainMesh::State> kept_;  // the least error with so many vertices
   double kept_error_ = std::numeric_limits<double>::infinity();
+  std::optional<TerrainMesh::State> within_;  // the most vertices that there may be, or a few less
+  bool limited_ = false;
 
   std::vector<std::array<VertexId, 3>> at_kept_border_;  // targets given up there
 

@@ -1,6 +1,9 @@
 #include "lepp/terrain/lepp_simplify.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "lepp/terrain/lepp_loop.hpp"
 #include "lepp/terrain/tin_clean_up.hpp"
@@ -15,6 +18,7 @@ constexpr int most_rounds = 12;
 // Of Effort::normal: a small TIN is cleaned up several times in no time.
 constexpr int some_rounds = 3;
 constexpr std::size_t small = 10000;
+constexpr std::size_t few = 16;
 
 class LeppSimplification {
  public:
@@ -39,20 +43,51 @@ class LeppSimplification {
   // What clean-up leaves to be mended, and the vertices that it sets free where there is a limit on
   // them, are the next round's.
   void reach_level() {
+    std::optional<TerrainMesh::State> start;
+    if (options_.effort != Effort::fast && is_limited(small)) start = terrain_.save();
     loop_.run(levels_.error(), levels_.vertices());
     if (options_.effort == Effort::fast) return;
+    if (start && loop_.limited()) mend_angles_alone(std::move(*start));
+    start.reset();
     for (int round = 0; round < rounds() && !loop_.cancelled(); ++round) {
       const std::size_t before = terrain_.mesh().vertex_count();
+      std::optional<TerrainMesh::State> good;
+      if (is_limited(few) && !loop_.limited()) good = terrain_.save();
       const std::size_t gone = clean_up(std::max(levels_.error(), loop_.largest_error()));
       loop_.run(levels_.error(), levels_.vertices());
+      if (good && loop_.limited()) {  // small angles that the round made have no room
+        terrain_.restore(std::move(*good));
+        loop_.run(levels_.error(), levels_.vertices());
+        return;
+      }
       if (gone * next_to_nothing < before) return;
     }
   }
 
+  // True if there may be only so many vertices more.
+  bool is_limited(std::size_t more) const {
+    return levels_.vertices() <= terrain_.mesh().vertex_count() + more;
+  }
+
+  // Insertions for small angles overshoot; without what is needless then, there may be room.
+  void mend_angles_alone(TerrainMesh::State start) {
+    constexpr double any_error = std::numeric_limits<double>::infinity();
+    TerrainMesh::State before = terrain_.save();
+    terrain_.restore(std::move(start));
+    loop_.run(any_error, std::numeric_limits<std::size_t>::max());
+    const auto has_room = [&] { return terrain_.mesh().vertex_count() <= levels_.vertices(); };
+    for (int round = 0; round < most_rounds && !has_room() && !loop_.cancelled(); ++round) {
+      const std::size_t gone = clean_up(any_error);
+      loop_.run(any_error, std::numeric_limits<std::size_t>::max());
+      if (gone == 0) break;
+    }
+    if (!has_room()) terrain_.restore(std::move(before));
+    loop_.run(levels_.error(), levels_.vertices());
+  }
+
   int rounds() const {
     const std::size_t vertices = terrain_.mesh().vertex_count();
-    const bool limited = vertices + 16 >= levels_.vertices();
-    if (limited || options_.effort == Effort::best) return most_rounds;
+    if (is_limited(few) || options_.effort == Effort::best) return most_rounds;
     return vertices <= small ? some_rounds : 1;
   }
 
@@ -69,7 +104,8 @@ class LeppSimplification {
 
   std::vector<Unfinished> small_angles() const {
     const Mesh& mesh = terrain_.mesh();
-    const bool used_up = loop_.out_of_budget() || mesh.vertex_count() >= options_.max_vertices;
+    const bool used_up =
+        loop_.out_of_budget() || loop_.limited() || mesh.vertex_count() >= options_.max_vertices;
     const Reason otherwise = loop_.cancelled() ? Reason::cancelled
                              : used_up         ? Reason::budget
                                                : Reason::size_floor;

@@ -8,6 +8,8 @@ namespace lepp {
 namespace {
 
 constexpr double tile = 16;  // cells
+// How far beyond the grid a part of an outline may be: squares around samples that stand alone.
+constexpr double beyond = 1;
 
 }  // namespace
 
@@ -28,7 +30,7 @@ void NearLines::for_each_tile(Point a, Point b, double margin, Visit visit) cons
   // The part of the segment that is not beyond a side of the grid, by parameters from 0 to 1.
   double from = 0, to = 1;
   const auto clip = [&](double start, double length, double most) {
-    const double low = -2 * margin - start, high = most + 2 * margin - start;
+    const double low = -beyond - margin - start, high = most + beyond + margin - start;
     if (length == 0) {
       if (low > 0 || high < 0) to = -1;
       return;

@@ -10,6 +10,7 @@
 #include "lepp/terrain/levels.hpp"
 #include "lepp/terrain/sample_space.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
+#include "lepp/terrain/world_tin.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locator.hpp"
 
@@ -19,23 +20,28 @@ namespace {
 
 constexpr std::size_t most_rounds = 50;
 
-// Heights by place: vertices get other numbers while a mesh is refined, but none moves.
-class HeightsByPlace {
+// Vertices by their place in a frame: they get other numbers while a mesh is refined, but none
+// moves, and so their places in grid space come back exactly.
+class KnownVertices {
  public:
-  HeightsByPlace(const Mesh& mesh, const std::vector<double>& heights) {
+  struct Vertex {
+    Point in_frame, in_grid;
+    double height;
+  };
+
+  KnownVertices(const Mesh& in_frame, const Mesh& in_grid, const std::vector<double>& heights) {
     for (std::size_t i = 0; i < heights.size(); ++i) {
-      list_.emplace_back(mesh.point(VertexId(i)), heights[i]);
+      list_.push_back({in_frame.point(VertexId(i)), in_grid.point(VertexId(i)), heights[i]});
     }
-    std::ranges::sort(list_);
+    std::ranges::sort(list_, {}, &Vertex::in_frame);
   }
-  std::optional<double> at(Point p) const {
-    const auto found = std::ranges::lower_bound(list_, p, {}, &std::pair<Point, double>::first);
-    if (found == list_.end() || found->first != p) return std::nullopt;
-    return found->second;
+  const Vertex* at(Point in_frame) const {
+    const auto found = std::ranges::lower_bound(list_, in_frame, {}, &Vertex::in_frame);
+    return found == list_.end() || found->in_frame != in_frame ? nullptr : &*found;
   }
 
  private:
-  std::vector<std::pair<Point, double>> list_;
+  std::vector<Vertex> list_;
 };
 
 // The frame in which angles count: the world's, if its proportions are the true ones.
@@ -47,14 +53,14 @@ class Frame {
   }
   bool is_world() const { return is_world_; }
   Point from_grid(Point p) const { return is_world_ ? grid_.to_world(p) : p; }
-  // Samples come back exactly.
+  // Places on a column or a line of samples come back to it exactly, however much of a cell the
+  // rounding of world coordinates is.
   Point to_grid(Point p) const {
     if (!is_world_) return p;
-    const SampleSpace space(grid_);
     const Point q = grid_.to_grid(p);
-    const TerrainCorner c = space.corner(q, 0);
-    const bool is_column = c.column == std::floor(c.column), is_line = c.line == std::floor(c.line);
-    return {is_column ? c.column : q.x, is_line ? c.line * grid_.aspect() : q.y};
+    const Point nearest{std::round(q.x), std::round(q.y / grid_.aspect()) * grid_.aspect()};
+    const Point sample = grid_.to_world(nearest);
+    return {sample.x == p.x ? nearest.x : q.x, sample.y == p.y ? nearest.y : q.y};
   }
 
  private:
@@ -72,7 +78,11 @@ class Work {
  public:
   Work(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
        const NonobtuseTinOptions& options)
-      : grid_(grid), options_(options), frame_(grid), tin_(std::move(tin)) {
+      : grid_(grid),
+        options_(options),
+        frame_(grid),
+        rounding_(frame_.is_world() ? world_rounding(grid) : 0),
+        tin_(std::move(tin)) {
     const auto [low, high] = std::ranges::minmax(tin_.heights);
     most_error_ = kept_error(options.max_error, interpolation_rounding(grid)) +
                   rounding_in_world * (high - low);
@@ -85,6 +95,7 @@ class Work {
   NonobtuseTin run() {
     NonobtuseTin result;
     result.judged_in_world = frame_.is_world();
+    if (rounding_ > same_place) cut_outline_at_samples();
     bool error_kept = false;
     do {  // ends: a round that goes on has added a sample
       refine_in_frame(result);
@@ -96,6 +107,7 @@ class Work {
     if (!frame_.is_world()) {
       in_frame_ = tin_.mesh;
       move_all(in_frame_, [&](Point p) { return grid_.to_world(p); });
+      check_orientation(in_frame_);
     }
     result.in_world = std::move(in_frame_);
     result.tin = std::move(tin_);
@@ -103,37 +115,89 @@ class Work {
   }
 
  private:
+  void check_orientation(const Mesh& moved) const {
+    if (!is_counterclockwise(moved)) throw rounding_error(grid_);
+  }
+
+  // Cuts of slanting sides are rounded, and samples on the pieces would be outside by as much: each
+  // becomes a vertex.
+  void cut_outline_at_samples() {
+    const std::vector<bool> is_hard = are_hard();
+    TerrainMesh terrain(grid_, std::move(tin_), is_hard);
+    std::vector<TriangleId> work(terrain.mesh().triangle_count());
+    for (std::size_t i = 0; i < work.size(); ++i) work[i] = TriangleId(i);
+    while (!work.empty()) {  // ends: a sample becomes a vertex once
+      const TriangleId t = work.back();
+      const auto s = sample_on_slanting_side(terrain, t);
+      if (!s || !terrain.insert(t, *s, work)) work.pop_back();
+    }
+    tin_ = terrain.take();
+  }
+
+  std::optional<Sample> sample_on_slanting_side(const TerrainMesh& terrain, TriangleId t) const {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (!terrain.mesh().is_boundary({t, i})) continue;
+      const TerrainCorner a = terrain.corner(terrain.mesh().origin({t, i}));
+      const TerrainCorner b = terrain.corner(terrain.mesh().destination({t, i}));
+      if (a.column == b.column || a.line == b.line) continue;
+      if (const auto s = sample_between(a, b)) return s;
+    }
+    return std::nullopt;
+  }
+
+  static std::optional<Sample> sample_between(const TerrainCorner& a, const TerrainCorner& b) {
+    const auto [low, high] = std::minmax(a.line, b.line);
+    for (double line = std::floor(low) + 1; line < high; ++line) {
+      const double column = a.column + (line - a.line) / (b.line - a.line) * (b.column - a.column);
+      const double nearest = std::round(column);
+      if (std::abs(column - nearest) > same_place) continue;
+      return Sample{static_cast<std::uint32_t>(nearest), static_cast<std::uint32_t>(line)};
+    }
+    return std::nullopt;
+  }
+
   // Leaves the mesh in both frames.
   void refine_in_frame(NonobtuseTin& result) {
+    const Mesh in_grid = tin_.mesh;
     move_all(tin_.mesh, [&](Point p) { return frame_.from_grid(p); });
+    check_orientation(tin_.mesh);
     make_delaunay(tin_.mesh);
     RefineOptions asked;
     asked.min_angle_deg = options_.min_angle_deg;
     asked.effort = Effort::fast;  // only adds vertices
     asked.max_vertices = options_.max_vertices;
     asked.progress = options_.progress;
-    const HeightsByPlace known(tin_.mesh, tin_.heights);
+    const KnownVertices known(tin_.mesh, in_grid, tin_.heights);
     const RefineReport refined = refine(tin_.mesh, asked);
     result.goal_reached = refined.goal_reached;
     result.unfinished = refined.unfinished;
     in_frame_ = tin_.mesh;
-    move_all(tin_.mesh, [&](Point p) { return frame_.to_grid(p); });
+    move_all(tin_.mesh, [&](Point p) {
+      const auto* vertex = known.at(p);
+      return vertex != nullptr ? vertex->in_grid : frame_.to_grid(p);
+    });
+    check_orientation(tin_.mesh);
     tin_.heights.resize(tin_.mesh.vertex_count());
     for (std::size_t i = 0; i < tin_.heights.size(); ++i) {
-      const auto height = known.at(in_frame_.point(VertexId(i)));
-      tin_.heights[i] = height ? *height : height_of(VertexId(i));
+      const auto* vertex = known.at(in_frame_.point(VertexId(i)));
+      tin_.heights[i] = vertex != nullptr ? vertex->height : height_of(VertexId(i));
     }
   }
 
   double height_of(VertexId v) const {
+    const auto height = height_on_line(v);
+    return height ? *height : height_at(grid_, tin_.mesh.point(v));
+  }
+
+  // Of a vertex that cuts a line with heights of its own.
+  std::optional<double> height_on_line(VertexId v) const {
     const VertexOrigin& origin = tin_.mesh.origin_of(v);
-    const Point p = tin_.mesh.point(v);
-    if (origin.kind == VertexOrigin::Kind::on_segment) {
-      for (const SegmentId s : tin_.mesh.segments_of(SegmentSetId(origin.index))) {
-        if (const auto height = height_on(tin_.mesh.segments()[s.index()], p)) return *height;
-      }
+    if (origin.kind != VertexOrigin::Kind::on_segment) return std::nullopt;
+    for (const SegmentId s : tin_.mesh.segments_of(SegmentSetId(origin.index))) {
+      const auto height = height_on(tin_.mesh.segments()[s.index()], tin_.mesh.point(v));
+      if (height) return height;
     }
-    return height_at(grid_, p);
+    return std::nullopt;
   }
 
   // On a line that has heights of its own, between its ends.
@@ -161,14 +225,23 @@ class Work {
     std::vector<double> errors;
     const std::size_t before = tin_.mesh.vertex_count();
     make_delaunay(tin_.mesh);  // but for rounding it is
-    std::vector<bool> is_hard;
-    for (const Point p : tin_.mesh.points()) is_hard.push_back(hard_.contains(p));
-    TerrainMesh terrain(grid_, std::move(tin_), is_hard);
+    const std::vector<bool> is_hard = are_hard();
+    TerrainMesh terrain(grid_, std::move(tin_), is_hard, rounding_);
     Levels levels(grid_, asked, ignored);
     greedy(terrain, levels, errors);
     if (terrain.mesh().vertex_count() == before) insert_worst(terrain, error);
     tin_ = terrain.take();
     return tin_.mesh.vertex_count() > before;
+  }
+
+  // By vertex: its height is asked for by a line.
+  std::vector<bool> are_hard() const {
+    std::vector<bool> result;
+    for (std::size_t i = 0; i < tin_.mesh.vertex_count(); ++i) {
+      const VertexId v(i);
+      result.push_back(hard_.contains(tin_.mesh.point(v)) || height_on_line(v).has_value());
+    }
+    return result;
   }
 
   // Another diagonal of four corners on a circle hides what is off: the sample itself mends both.
@@ -185,6 +258,7 @@ class Work {
   const HeightGrid& grid_;
   const NonobtuseTinOptions& options_;
   Frame frame_;
+  double rounding_;  // of places in the frame, in cells
   double most_error_ = 0;
   Tin tin_;        // in grid space, but while it is refined
   Mesh in_frame_;  // the same, as refine() left it

@@ -35,8 +35,8 @@ struct TerrainLevel {
 
 struct SimplifyOptions {
   double max_error = 0;  ///< largest |H - H*| at any sample with data, >= 0, in the unit of heights
-  /// No more vertices than this, those of the domain not counted less than they are; with
-  /// max_error = 0 as many as that allows.
+  /// No more vertices than this, unless the domain alone has more, which leaves the goal
+  /// unreached; with max_error = 0 as many as that allows.
   std::size_t max_vertices = std::numeric_limits<std::size_t>::max();
   SimplifyBy by = SimplifyBy::lepp;
   /// How much time `lepp` gives to fewer vertices: none, one round of clean-up, or many.
@@ -81,12 +81,12 @@ struct TerrainError {
 };
 
 struct SimplifyReport {
-  bool goal_reached = false;  ///< the error is kept, and every angle but those listed
+  /// The error is kept, every angle but those that the input excuses, and the number of vertices.
+  bool goal_reached = false;
   TerrainError error;
   std::vector<TerrainLevel> levels;  ///< the last one is the TIN itself
-  /// Greedy: the largest error with the first `first_prefix` vertices, those of the domain, then
-  /// with one more each.
-  std::size_t first_prefix = 0;
+  std::size_t first_prefix = 0;      ///< vertices of the domain alone
+  /// Greedy: the largest error with the first `first_prefix` vertices, then with one more each.
   std::vector<double> error_of_prefix;
   /// Triangles below the angle bound, and why; by the surface metric those with an angle in plan
   /// below 15 degrees (or the bound, if that is less).

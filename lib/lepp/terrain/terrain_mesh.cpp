@@ -20,10 +20,6 @@ namespace lepp {
 
 namespace {
 
-// How near to a line, in cells, a sample is on it: crossings of sides with lines of samples are
-// rounded, and twice as far stays clear of that.
-constexpr double on_line = 2 * same_place;
-
 // A line is cut at a sample near a place in the middle part of it, so that none of the halves is a
 // smaller part than `shortest_part`: where cells are long, the nearest sample can be its end.
 constexpr double first_part = 0.35, shortest_part = 0.18;
@@ -31,10 +27,10 @@ constexpr double first_part = 0.35, shortest_part = 0.18;
 // Where between a and b, from 0 to 1.
 double part_of_way(Point a, Point b, Point p) { return dot(p - a, b - a) / squared_distance(a, b); }
 
-bool lies_between(Point a, Point b, Point p) {
+bool lies_between(Point a, Point b, Point p, double near) {
   const double twice_area = cross(b - a, p - a), length = std::sqrt(squared_distance(a, b));
   const double along = part_of_way(a, b, p) * length;
-  return std::abs(twice_area) <= on_line * length && along > on_line && along < length - on_line;
+  return std::abs(twice_area) <= near * length && along > near && along < length - near;
 }
 
 std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& order) {
@@ -91,8 +87,9 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
   for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
-TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard)
-    : grid_(grid), space_(grid), scan_(grid) {
+TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard,
+                         double rounding)
+    : grid_(grid), space_(grid), scan_(grid), on_line_(std::max(2 * same_place, 4 * rounding)) {
   state_.tin = std::move(tin);
   state_.kept.assign(mesh().vertex_count(), 0);
   state_.hard.assign(is_hard.begin(), is_hard.end());
@@ -290,8 +287,8 @@ std::optional<HalfEdge> TerrainMesh::constrained_edge_at(TriangleId t, Point p) 
 }
 
 bool TerrainMesh::is_on(HalfEdge e, Point p) const {
-  return mesh().is_constrained(e) &&
-         lies_between(mesh().point(mesh().origin(e)), mesh().point(mesh().destination(e)), p);
+  return mesh().is_constrained(e) && lies_between(mesh().point(mesh().origin(e)),
+                                                  mesh().point(mesh().destination(e)), p, on_line_);
 }
 
 // A point beyond a side of the mesh, by rounding, would make it overlap what it touches there.

@@ -22,8 +22,11 @@ class TerrainMesh {
  public:
   /// The domain's own triangulation.
   TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain);
-  /// A TIN that exists. \param is_hard  by vertex: its height is asked for by a line
-  TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard);
+  /// A TIN that exists.
+  /// \param is_hard   by vertex: its height is asked for by a line
+  /// \param rounding  how far vertices on lines may be off them, in cells
+  TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard,
+              double rounding = 0);
 
   const Mesh& mesh() const { return state_.tin.mesh; }
   Mesh& mesh() { return state_.tin.mesh; }
@@ -118,6 +121,9 @@ class TerrainMesh {
   SampleSpace space_;
   TriangleScan scan_;
   State state_;
+  // How near to a line, in cells, a sample is on it: crossings of sides with lines of samples are
+  // rounded, and twice as far stays clear of that.
+  double on_line_ = 2 * same_place;
   double enough_ = std::numeric_limits<double>::infinity();
   Cavity cavity_;
 };

@@ -127,8 +127,8 @@ bool is_seditious(const Mesh& mesh, VertexId u, VertexId w, const Segment& r, co
   const Point r_end = mesh.point(r.a == *center ? r.b : r.a);
   const Point s_end = mesh.point(s.a == *center ? s.b : s.a);
   if (!is_below_60_deg(r_end, c, s_end)) return false;
-  const double to_u = squared_distance(c, mesh.point(u)), to_w = squared_distance(c, mesh.point(w));
-  return std::abs(to_u - to_w) <= 1e-9 * std::max(to_u, to_w);
+  return is_same_radius(std::sqrt(squared_distance(c, mesh.point(u))),
+                        std::sqrt(squared_distance(c, mesh.point(w))), c);
 }
 
 bool is_interior(const Mesh& mesh, VertexId v) {
@@ -152,6 +152,12 @@ double distance_to_segment(Point p, Point a, Point b) {
 }
 
 }  // namespace
+
+bool is_same_radius(double r, double s, Point center) {
+  constexpr double part = 1e-9, ulps = 4 * 0x1p-52;
+  const double rounding = ulps * std::max(std::abs(center.x), std::abs(center.y));
+  return std::abs(r - s) <= part * std::max(r, s) + rounding;
+}
 
 Fan fan_at(const Mesh& mesh, HalfEdge edge, VertexId center) {
   const FanWalk walk(mesh, center);

@@ -20,6 +20,11 @@ struct Fan {
   bool exists() const { return !edges.empty(); }
 };
 
+/// True if two distances from `center` differ by no more than 1e-9 of them, or than rounding of
+/// coordinates does, which is more where those are large: fans cut at a common radius have edges of
+/// the same length, rounded.
+bool is_same_radius(double r, double s, Point center);
+
 /// \param edge    a constrained edge, seen from either side
 /// \param center  one of its ends
 /// Cost O(degree of center)

@@ -15,8 +15,6 @@ double length(const Mesh& mesh, HalfEdge e) {
   return std::sqrt(squared_distance(mesh.point(mesh.origin(e)), mesh.point(mesh.destination(e))));
 }
 
-// Lengths along a fan that differ by less are the same radius, rounded.
-constexpr double same_radius = 1 + 1e-9;
 // One point per edge suffices where every longer edge exceeds the shortest by this factor.
 constexpr double clearly_longer = 1.4;
 
@@ -50,14 +48,19 @@ void append(ConstrainedSplit& all, const ConstrainedSplit& one) {
   all.changed.insert(all.changed.end(), one.changed.begin(), one.changed.end());
 }
 
+bool is_longer(const Mesh& mesh, double l, double radius, VertexId center) {
+  return l > radius && !is_same_radius(l, radius, mesh.point(center));
+}
+
 // The radius at which a fan is cut when one of its edges, of length `wanted`, must be.
 double fan_radius(const Mesh& mesh, const Fan& fan, double wanted) {
   double shortest = wanted;
   for (const HalfEdge e : fan.edges) shortest = std::min(shortest, length(mesh, e));
   const bool one_point =
-      wanted > shortest * same_radius && std::ranges::all_of(fan.edges, [&](HalfEdge e) {
+      is_longer(mesh, wanted, shortest, fan.center) &&
+      std::ranges::all_of(fan.edges, [&](HalfEdge e) {
         const double l = length(mesh, e);
-        return l <= shortest * same_radius || l >= clearly_longer * shortest;
+        return !is_longer(mesh, l, shortest, fan.center) || l >= clearly_longer * shortest;
       });
   return one_point ? shortest : shortest / 2;
 }
@@ -89,7 +92,7 @@ ConstrainedSplit split_fan(Mesh& mesh, HalfEdge e, const Fan& fan, double floor)
     HalfEdge here = *mesh.find_edge(first, center);
     for (; edges > 0; --edges) {
       here = next_constrained(mesh, here, center, turn);
-      if (length(mesh, here) <= radius * same_radius) continue;
+      if (!is_longer(mesh, length(mesh, here), radius, center)) continue;
       const ConstrainedSplit one = split_at_distance(mesh, here, center, radius, floor);
       append(all, one);
       if (!one.vertices.empty()) here = *mesh.find_edge(one.vertices.front(), center);
