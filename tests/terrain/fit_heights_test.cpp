@@ -127,3 +127,27 @@ TEST_CASE("fit_heights: stops when asked to, within the bound") {
   CHECK(fit_heights(grid, made.tin, options) == 1);
   CHECK(plain_error(grid, made.tin).max <= 5 * (1 + 1e-12));
 }
+
+TEST_CASE("fit_heights: no vertex goes farther than samples may be off, however little it weighs") {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    HeightGrid grid = grid_of(2 + random.below(6), 2 + random.below(6),
+                              [&](double, double) { return std::round(random.real(-30, 30)); });
+    for (std::size_t i = 1; i < grid.size(); ++i) {
+      if (random.one_in(4)) grid.heights.set(i, std::numeric_limits<double>::quiet_NaN());
+    }
+    grid.cell_height = 1.0 / 3;
+    grid.step_y = -grid.cell_height;
+    const double max_error = random.one_in(2) ? 8 : 1;
+    Made made = ::made(grid, max_error, SimplifyBy::lepp);
+    const Tin before = made.tin;
+    fit_heights(grid, made.tin, {max_error});
+    for (std::size_t i = 0; i < before.heights.size(); ++i) {
+      CHECK(std::abs(made.tin.heights[i] - before.heights[i]) <= max_error * (1 + 1e-12));
+    }
+    const TerrainError was = measure_error(grid, before), is = measure_error(grid, made.tin);
+    CHECK(is.max <= std::max(max_error, was.max));
+    CHECK(is.rms <= was.rms + 1e-12);
+  }
+}

@@ -68,3 +68,18 @@ TEST_CASE("measure_error: as by brute force, samples on sides counted once") {
   CHECK(error.samples == plain.samples);
   CHECK(error.rms == doctest::Approx(std::sqrt(plain.sum_of_squares / double(plain.samples))));
 }
+
+TEST_CASE("measure_error: the same by one thread and by two") {
+  const HeightGrid grid = rough(400, 350, 11);  // enough samples for a second thread
+  SimplifyReport report;
+  const Tin tin = simplify(grid, terrain_domain(grid), {.max_error = 6}, report);
+  const TerrainError one = measure_error(grid, tin, 1), two = measure_error(grid, tin, 2);
+  CHECK(one.max == two.max);
+  CHECK(one.column == two.column);
+  CHECK(one.row == two.row);
+  CHECK(one.rms == two.rms);
+  CHECK(one.highest == two.highest);
+  CHECK(one.lowest == two.lowest);
+  CHECK(one.samples == grid.size());
+  CHECK(two.samples == grid.size());
+}

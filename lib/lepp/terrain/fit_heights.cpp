@@ -7,6 +7,7 @@
 
 #include "lepp/terrain/hard_heights.hpp"
 #include "lepp/terrain/sample_space.hpp"
+#include "lepp/terrain/simplify.hpp"
 #include "lepp/terrain/triangle_scan.hpp"
 
 namespace lepp {
@@ -54,6 +55,8 @@ class Fit {
         options_(options),
         space_(grid),
         spans_(grid),
+        limit_(options.max_error - 4 * interpolation_rounding(grid)),
+        first_heights_(tin.heights),
         diagonal_(tin.heights.size()),
         rest_(tin.heights.size()),
         across_(tin.mesh.triangle_count()) {
@@ -125,7 +128,10 @@ class Fit {
         const double off = (samples[i] - base) - (span.height + span.slope * i);
         if (std::isnan(off)) continue;
         std::array<double, 3> w;
-        for (std::size_t k = 0; k < 3; ++k) w[k] = weights[k](span.first + i, span.line);
+        for (std::size_t k = 0; k < 3; ++k) {
+          w[k] = weights[k](span.first + i, span.line);
+          if (w[k] < no_weight) w[k] = 0;
+        }
         if (is_counted(t, w)) add_sample(t, w, off);
       }
       return true;
@@ -139,7 +145,7 @@ class Fit {
       if (w[k] > 1 - no_weight) return star(tin_.mesh.vertex(t, k)).front() == t;
     }
     for (std::uint32_t k = 0; k < 3; ++k) {
-      if (w[k] >= no_weight) continue;
+      if (w[k] > 0) continue;
       const auto twin = tin_.mesh.twin({t, k});
       return !twin || t < twin->triangle;
     }
@@ -162,7 +168,10 @@ class Fit {
     const std::size_t i = v.index();
     if (diagonal_[i] == 0 || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
     const double best = rest_[i] / diagonal_[i];
-    double step = best;
+    // From where it was a vertex goes no farther than samples may be off: one with little weight
+    // in its samples would be sent to the skies for them.
+    double step = std::clamp(best, first_heights_[i] - options_.max_error - tin_.heights[i],
+                             first_heights_[i] + options_.max_error - tin_.heights[i]);
     for (const TriangleId t : star(v)) step = step == 0 ? 0 : allowed(t, v, step);
     if (step == 0) return 0;
     tin_.heights[i] += step;
@@ -197,8 +206,8 @@ class Fit {
       for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
         const double above = sign * (span.height + span.slope * i - (samples[i] - base));
         const double w = start + weight.per_column() * i;
-        if (!(above + w * length > options_.max_error) || w < no_weight) continue;
-        length = std::max(0.0, (options_.max_error - above) / w);
+        if (!(above + w * length > limit_) || w < no_weight) continue;
+        length = std::max(0.0, (limit_ - above) / w);
       }
       return length > 0;
     });
@@ -211,6 +220,8 @@ class Fit {
   const FitOptions& options_;
   SampleSpace space_;
   TriangleSpans spans_;
+  const double limit_;  // of errors: another way of interpolating differs by a trifle
+  const std::vector<double> first_heights_;
   std::vector<double> diagonal_, rest_;        // by vertex: entry, and sum of weight * (H - H*)
   std::vector<std::array<double, 3>> across_;  // by triangle: entry of the side across a corner
   std::vector<std::size_t> first_;             // by vertex, into star_

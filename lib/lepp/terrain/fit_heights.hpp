@@ -11,7 +11,8 @@
 namespace lepp {
 
 struct FitOptions {
-  double max_error = 0;  ///< no sample comes farther off than this, or than it was
+  /// No sample comes farther off than this, or than it was, and no vertex farther from its height.
+  double max_error = 0;
   /// By vertex: its height stays. Empty: all may change.
   std::vector<bool> is_fixed = {};
   std::size_t max_sweeps = 30;

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lepp/geometry/two_threads.hpp"
 #include "lepp/terrain/simplify.hpp"
 
 namespace lepp {
@@ -72,36 +73,93 @@ struct Vertex {
   double x, y, z;
 };
 
-// One triangle after the other, one row of samples after the other. Shares nothing with the
-// simplification but the grid, so that a mistake there cannot hide here.
+// The corners of triangles, as columns and rows of the file.
+class Corners {
+ public:
+  Corners(const HeightGrid& grid, const Tin& tin) : tin_(tin) {
+    const double aspect = grid.aspect();
+    for (const Point p : tin.mesh.points()) {
+      const double line = p.y / aspect;
+      rows_.push_back(grid.north_first() ? grid.rows - 1 - line : line);
+    }
+  }
+  std::array<Vertex, 3> of(std::uint32_t triangle) const {
+    std::array<Vertex, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = tin_.mesh.triangles()[triangle].vertices[k];
+      corners[k] = {tin_.mesh.point(v).x, rows_[v.index()], tin_.heights[v.index()]};
+    }
+    return corners;
+  }
+
+  // Triangles by their first row, a band of rows after the other: the samples of a band stay in
+  // the cache for all of them. A counting sort.
+  std::vector<std::uint32_t> by_rows(std::uint32_t rows) const {
+    constexpr std::uint32_t rows_of_band = 16;
+    const auto band = [&](const Triangle& t) {
+      double first = rows_[t.vertices[0].index()];
+      for (const VertexId v : t.vertices) first = std::min(first, rows_[v.index()]);
+      return static_cast<std::size_t>(std::clamp(first, 0.0, rows - 1.0)) / rows_of_band;
+    };
+    const auto triangles = tin_.mesh.triangles();
+    std::vector<std::uint32_t> begin(rows / rows_of_band + 2, 0), order(triangles.size());
+    for (const Triangle& t : triangles) ++begin[band(t) + 1];
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[begin[band(triangles[i])]++] = i;
+    return order;
+  }
+
+ private:
+  const Tin& tin_;
+  std::vector<double> rows_;  // by vertex
+};
+
+// Some rows of the grid: one triangle after the other, one row of samples after the other. Shares
+// nothing with the simplification but the grid, so that a mistake there cannot hide here.
 template <class Height>
 class Measure {
  public:
-  Measure(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin)
-      : grid_(grid), heights_(heights), seen_(grid.size()) {
+  // Rows from `first_row` to before `end_row`.
+  Measure(const HeightGrid& grid, std::span<const Height> heights, std::uint32_t first_row,
+          std::uint32_t end_row)
+      : grid_(grid),
+        heights_(heights),
+        first_row_(first_row),
+        end_row_(end_row),
+        first_sample_(grid.index(0, first_row)),
+        end_sample_(grid.index(0, end_row)),
+        seen_(end_sample_ - first_sample_) {
     error_.highest = -std::numeric_limits<double>::infinity();
     error_.lowest = std::numeric_limits<double>::infinity();
-    for (const Triangle& t : tin.mesh.triangles()) {
-      std::array<Vertex, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i) corners[i] = vertex(tin, t.vertices[i]);
-      add(corners);
-    }
   }
 
-  TerrainError result() {
+  void run(const Corners& corners, std::span<const std::uint32_t> triangles) {
+    for (const std::uint32_t t : triangles) {
+      std::array<Vertex, 3> v = corners.of(t);
+      add(v);
+    }
     count_samples();
+  }
+
+  // With what was found in other rows, behind these.
+  TerrainError result_with(const Measure& other) {
+    if (other.error_.max > error_.max) {
+      error_.max = other.error_.max;
+      error_.column = other.error_.column;
+      error_.row = other.error_.row;
+    }
+    error_.highest = std::max(error_.highest, other.error_.highest);
+    error_.lowest = std::min(error_.lowest, other.error_.lowest);
+    error_.samples += other.error_.samples;
+    error_.lost += other.error_.lost;
+    error_.covered += other.error_.covered;
+    const double squares = sum_of_squares_ + other.sum_of_squares_;
     if (error_.samples == 0) error_.highest = error_.lowest = 0;
-    else error_.rms = std::sqrt(sum_of_squares_ / static_cast<double>(error_.samples));
+    else error_.rms = std::sqrt(squares / static_cast<double>(error_.samples));
     return error_;
   }
 
  private:
-  Vertex vertex(const Tin& tin, VertexId v) const {
-    const Point p = tin.mesh.point(v);
-    const double line = p.y / grid_.aspect();
-    return {p.x, grid_.north_first() ? grid_.rows - 1 - line : line, tin.heights[v.index()]};
-  }
-
   void add(std::array<Vertex, 3>& v) {
     double twice_area =
         (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[2].x - v[0].x) * (v[1].y - v[0].y);
@@ -110,19 +168,21 @@ class Measure {
       twice_area = -twice_area;
     }
     if (!(twice_area > 0)) return;
-    slope_ = ((v[1].z - v[0].z) * (v[2].y - v[0].y) - (v[2].z - v[0].z) * (v[1].y - v[0].y)) /
-             twice_area;
     const double low = std::min({v[0].y, v[1].y, v[2].y}),
                  high = std::max({v[0].y, v[1].y, v[2].y});
-    const auto first = static_cast<std::int64_t>(std::max(0.0, std::ceil(low - on_side)));
-    const auto last = std::min<std::int64_t>(static_cast<std::int64_t>(std::floor(high + on_side)),
-                                             grid_.rows - 1);
-    for (std::int64_t row = first; row <= last; ++row) add_row(v, twice_area, row);
+    const double first = std::max<double>(std::ceil(low - on_side), first_row_);
+    const double last = std::min(std::floor(high + on_side), double(end_row_) - 1);
+    if (first > last) return;
+    slope_ = ((v[1].z - v[0].z) * (v[2].y - v[0].y) - (v[2].z - v[0].z) * (v[1].y - v[0].y)) /
+             twice_area;
+    for (auto row = static_cast<std::uint32_t>(first); row <= last; ++row) {
+      add_row(v, twice_area, row);
+    }
   }
 
   // The part of a row inside the triangle: right of the sides that lead down (towards larger rows
   // these are the left ones), left of those that lead up.
-  void add_row(const std::array<Vertex, 3>& v, double twice_area, std::int64_t row) {
+  void add_row(const std::array<Vertex, 3>& v, double twice_area, std::uint32_t row) {
     const auto y = static_cast<double>(row);
     double left = std::numeric_limits<double>::infinity(), right = -left;
     bool along_side = false;
@@ -149,8 +209,8 @@ class Measure {
     height_ = height_at_column(v, twice_area, left, y);
     left_ = left;
     right_ = right;
-    add_samples(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),
-                static_cast<std::uint32_t>(row), along_side);
+    add_samples(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last), row,
+                along_side);
   }
 
   static double height_at_column(const std::array<Vertex, 3>& v, double twice_area, double x,
@@ -166,7 +226,7 @@ class Measure {
 
   // Samples on sides may have been seen from the triangle across: they count once.
   void add_samples(std::uint32_t first, std::uint32_t last, std::uint32_t row, bool along_side) {
-    const std::size_t start = grid_.index(0, row);
+    const std::size_t start = grid_.index(0, row) - first_sample_;
     std::uint32_t from = first, to = last + 1;  // inside
     if (along_side) {
       to = from;
@@ -187,10 +247,10 @@ class Measure {
     const double height = height_ + slope_ * (std::clamp<double>(column, left_, right_) - left_);
     const double off = (heights_[i] - base_) - height;
     if (!std::isnan(off)) {
-      if (!seen_.contains(i)) sum_of_squares_ += off * off;
+      if (!seen_.contains(i - first_sample_)) sum_of_squares_ += off * off;
       note(off, column, row);
     }
-    seen_.add(i);
+    seen_.add(i - first_sample_);
   }
 
   void add_inside(std::uint32_t from, std::uint32_t to, std::uint32_t row) {
@@ -241,18 +301,20 @@ class Measure {
   }
 
   void count_samples() {
-    for (std::size_t first = 0; first < grid_.size(); first += SampleSet::bits) {
-      const std::size_t count = std::min(SampleSet::bits, grid_.size() - first);
+    const std::span<const Height> own =
+        heights_.subspan(first_sample_, end_sample_ - first_sample_);
+    for (std::size_t first = 0; first < own.size(); first += SampleSet::bits) {
+      const std::size_t count = std::min(SampleSet::bits, own.size() - first);
       std::size_t data = 0;
-      for (std::size_t k = 0; k < count; ++k) data += std::isnan(heights_[first + k]) ? 0 : 1;
+      for (std::size_t k = 0; k < count; ++k) data += std::isnan(own[first + k]) ? 0 : 1;
       if (data == count && seen_.contains_all(first)) error_.samples += count;
-      else count_one_by_one(first, first + count);
+      else count_one_by_one(own, first, first + count);
     }
   }
 
-  void count_one_by_one(std::size_t first, std::size_t end) {
+  void count_one_by_one(std::span<const Height> own, std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      const bool seen = seen_.contains(i), data = !std::isnan(heights_[i]);
+      const bool seen = seen_.contains(i), data = !std::isnan(own[i]);
       error_.samples += seen && data ? 1 : 0;
       error_.lost += !seen && data ? 1 : 0;
       error_.covered += seen && !data ? 1 : 0;
@@ -261,7 +323,9 @@ class Measure {
 
   const HeightGrid& grid_;
   std::span<const Height> heights_;
-  SampleSet seen_;
+  const std::uint32_t first_row_, end_row_;
+  const std::size_t first_sample_, end_sample_;
+  SampleSet seen_;  // from first_sample_ on
   TerrainError error_;
   double sum_of_squares_ = 0;
   // Of the row in hand: where it enters and leaves the triangle, how high it enters, and how steep.
@@ -269,10 +333,25 @@ class Measure {
   double left_ = 0, right_ = 0, base_ = 0, height_ = 0, slope_ = 0;
 };
 
+// In two halves of the rows, whatever the number of threads, so that sums are the same.
+template <class Height>
+TerrainError measured(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin,
+                      unsigned threads) {
+  constexpr std::size_t few_samples = 100'000;  // faster than a thread starts
+  const Corners corners(grid, tin);
+  const std::vector<std::uint32_t> triangles = corners.by_rows(grid.rows);
+  const std::uint32_t middle = grid.rows / 2;
+  Measure first(grid, heights, 0, middle), second(grid, heights, middle, grid.rows);
+  in_parallel(
+      grid.size() < few_samples ? 1 : threads, [&] { first.run(corners, triangles); },
+      [&] { second.run(corners, triangles); });
+  return first.result_with(second);
+}
+
 }  // namespace
 
-TerrainError measure_error(const HeightGrid& grid, const Tin& tin) {
-  return grid.heights.visit([&](auto heights) { return Measure(grid, heights, tin).result(); });
+TerrainError measure_error(const HeightGrid& grid, const Tin& tin, unsigned threads) {
+  return grid.heights.visit([&](auto heights) { return measured(grid, heights, tin, threads); });
 }
 
 }  // namespace lepp

@@ -104,7 +104,7 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
              SimplifyReport& report);
 
 /// The error of any TIN of a grid, computed from nothing but the two, sample by sample, in double
-/// precision. Cost O(samples + triangles).
-TerrainError measure_error(const HeightGrid& grid, const Tin& tin);
+/// precision. The result does not depend on `threads`. Cost O(samples + triangles).
+TerrainError measure_error(const HeightGrid& grid, const Tin& tin, unsigned threads = 2);
 
 }  // namespace lepp
