@@ -57,7 +57,7 @@ struct TerrainCommand {
   HeightGridOptions grid_options() const;
   std::optional<GridWindow> grid_window() const;
   TileCounts tile_counts() const;
-  bool has_tiles() const { return tile_counts().rows * tile_counts().columns > 1; }
+  bool has_tiles() const { return !tiles.empty(); }
   bool writes_tiles() const { return has_tiles() && tile_output != TileOutput::mesh; }
   bool writes_whole() const { return !has_tiles() || tile_output != TileOutput::files; }
   TinFormat tin_format() const;

@@ -245,3 +245,14 @@ TEST_CASE("no file beside an input is replaced, and no two outputs are one file"
   CHECK(folder.text("dem.prj") == crs + "\n\n");
   CHECK(folder.text("lines.prj") == "another");
 }
+
+TEST_CASE("a tiling of one tile is one, too") {
+  const ScratchFolder folder;
+  const Outcome made = run(folder.path(), "terrain " + hill() +
+                                              " -o t.obj --max-error 8 --tiles 1x1 "
+                                              "--tile-output both --json -");
+  REQUIRE(made.status == 0);
+  CHECK(Json::parse(made.out)["tiles"].size() == 1);
+  CHECK(read_obj(folder / "t_0_0.obj").vertices.size() ==
+        read_obj(folder / "t.obj").vertices.size());
+}
