@@ -51,6 +51,7 @@ class Run {
       }
     });
     report().warnings = domain_.warnings;
+    warn_of_nodata();
     report().seconds.simplify = timed([&] { simplify_grid(); });
     if (job_.nonobtuse && !interrupted()) {
       report().seconds.nonobtuse = timed([&] { make_admissible(); });
@@ -64,6 +65,17 @@ class Run {
 
  private:
   TerrainReport& report() { return made_.report; }
+
+  // Where no heights are, a value of no data is that the file does not declare.
+  void warn_of_nodata() {
+    constexpr double no_height = 1e30;
+    for (const double height : {report_lowest(), report_highest()}) {
+      if (std::abs(height) < no_height) continue;
+      const std::string value = lepp::to_text(height);
+      report().warnings.push_back("heights reach " + value +
+                                  "; if that means no data, add --nodata " + value);
+    }
+  }
 
   void simplify_grid() {
     Progress progress;

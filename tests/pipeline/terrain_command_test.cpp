@@ -365,3 +365,17 @@ TEST_CASE("--fit-heights: tiles keep the heights of their borders") {
   }
   CHECK(measured(read_obj(folder / "t.obj"), grid).error <= 3 + 1e-9);
 }
+
+TEST_CASE("heights where none are bring a hint at a value of no data") {
+  const ScratchFolder folder;
+  folder.put("a.asc",
+             "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+             "1 2 -3.4e38\n2 3 4\n");
+  const Outcome made = run(folder.path(), "terrain a.asc -o t.obj --max-error 1");
+  CHECK(made.status == 0);
+  CHECK(has(made.out + made.err, "add --nodata -3.4e+38"));
+  const Outcome mended =
+      run(folder.path(), "terrain a.asc -o t.obj --force --max-error 1 --nodata -3.4e+38");
+  CHECK(mended.status == 0);
+  CHECK_FALSE(has(mended.out + mended.err, "--nodata"));
+}

@@ -275,3 +275,15 @@ TEST_CASE("simplify refuses options out of range") {
   CHECK_THROWS_AS(run({.max_error = 5, .level_errors = {4}}), InputError);
   CHECK_THROWS_AS(run({.level_vertices = {20, 10}}), InputError);
 }
+
+TEST_CASE("simplify: relief that the metric of the surface cannot compare with cells is refused") {
+  HeightGrid grid = grid_of(5, 4, [](double x, double y) { return x * y; });
+  SimplifyReport report;
+  SimplifyOptions options{.max_error = 1};
+  options.metric = TerrainMetric::surface;
+  CHECK_NOTHROW(simplify(grid, terrain_domain(grid), options, report));
+  grid.heights.set(7, -3.4e38);
+  CHECK_THROWS_AS(simplify(grid, terrain_domain(grid), options, report), InputError);
+  options.metric = TerrainMetric::planar;
+  CHECK_NOTHROW(simplify(grid, terrain_domain(grid), options, report));
+}

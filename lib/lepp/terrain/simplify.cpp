@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/terrain/greedy.hpp"
 #include "lepp/terrain/lepp_simplify.hpp"
 #include "lepp/terrain/levels.hpp"
@@ -40,11 +42,28 @@ void check_options(const SimplifyOptions& o) {
         "sort them, the smallest first, all below the number of the whole");
 }
 
+// The metric of the surface compares squares of lengths in plan and of heights in one sum.
+void check_relief(const HeightGrid& grid) {
+  constexpr double most_cells = 1e9;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const double h = grid.heights[i];
+    low = h < low ? h : low;  // false for NaN
+    high = h > high ? h : high;
+  }
+  const double cell = std::min(grid.cell_width, grid.cell_height);
+  check(!(high - low > most_cells * cell), grid.source,
+        "its heights reach from " + to_text(low) + " to " + to_text(high) +
+            ", more than a thousand million cells: the metric of the surface cannot compare them",
+        "check the value that means no data and the size of cells, or simplify in plan");
+}
+
 }  // namespace
 
 Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const SimplifyOptions& options,
              SimplifyReport& report) {
   check_options(options);
+  if (options.metric == TerrainMetric::surface) check_relief(grid);
   report = {};
   TerrainMesh terrain(grid, domain);
   Levels levels(grid, options, report);
