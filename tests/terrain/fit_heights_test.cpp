@@ -99,7 +99,7 @@ TEST_CASE("fit_heights: hard lines and borders of tiles keep their heights; noda
   Breakline line{{{3, -5}, {15, -28}}, {20, 60}, "line"};
   Made made = ::made(grid, 200, SimplifyBy::lepp, {{}, {line}});
   made.domain.kept_border.assign(made.domain.pslg.points.size(), true);
-  const std::vector<bool> fixed = fixed_vertices(grid, made.domain, made.tin.mesh);
+  const std::vector<bool> fixed = fixed_vertices(grid, made.domain, made.tin);
   const Tin before = made.tin;
   FitOptions options;
   options.max_error = 200;

@@ -15,6 +15,7 @@ struct Arrangement {
   std::vector<LineKind> kind;  ///< of each curve; the outline is curve 0, then the breaklines
   /// Heights that hard breaklines ask for, one per point; NaN: none. Where two meet, the first one.
   std::vector<double> fixed_heights;
+  std::vector<bool> hard_segments;  ///< one per segment: of a hard breakline
   std::size_t places_joined = 0;  ///< where lines were moved to meet
 };
 

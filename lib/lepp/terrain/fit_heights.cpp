@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lepp/terrain/hard_heights.hpp"
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/sample_space.hpp"
 #include "lepp/terrain/triangle_scan.hpp"
 
@@ -225,14 +225,14 @@ std::size_t fit_heights(const HeightGrid& grid, Tin& tin, const FitOptions& opti
 }
 
 std::vector<bool> fixed_vertices(const HeightGrid& grid, const TerrainDomain& domain,
-                                 const Mesh& mesh) {
-  const HardHeights hard(domain);
+                                 const Tin& tin) {
+  std::vector<bool> fixed = hard_vertices(tin);
+  if (domain.kept_border.empty()) return fixed;
   const Point corner = grid.sample(grid.columns - 1, grid.rows - 1);
-  std::vector<bool> fixed(mesh.vertex_count(), false);
   for (std::size_t i = 0; i < fixed.size(); ++i) {
-    const Point p = mesh.point(VertexId(i));
+    const Point p = tin.mesh.point(VertexId(i));
     const bool on_border = p.x == 0 || p.y == 0 || p.x == corner.x || p.y == corner.y;
-    fixed[i] = (on_border && !domain.kept_border.empty()) || hard.at(mesh, VertexId(i)).has_value();
+    fixed[i] = fixed[i] || on_border;
   }
   return fixed;
 }

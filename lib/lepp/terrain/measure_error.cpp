@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/simplify.hpp"
 
 namespace lepp {
@@ -18,24 +19,6 @@ namespace {
 // Samples nearer to a side than this, in cells, are on it: vertices in world coordinates are not
 // where they were meant to be by about that much.
 constexpr double on_side = 1e-7;
-
-class SampleSet {
- public:
-  static constexpr std::size_t bits = 64;  // of a word
-  explicit SampleSet(std::size_t size) : words_((size + 63) / 64, 0) {}
-  /// Of the word that begins with sample `first`.
-  bool contains_all(std::size_t first) const { return words_[first / 64] == ~std::uint64_t{0}; }
-  bool contains(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1U) != 0; }
-  void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
-  void add(std::size_t first, std::size_t end) {
-    for (; first < end && first % 64 != 0; ++first) add(first);
-    for (; first + 64 <= end; first += 64) words_[first / 64] = ~std::uint64_t{0};
-    for (; first < end; ++first) add(first);
-  }
-
- private:
-  std::vector<std::uint64_t> words_;
-};
 
 // Two doubles at a time, as every machine of today does; compilers do not see that for themselves,
 // because the order in which a maximum is taken matters where there are NaNs.
@@ -77,8 +60,10 @@ struct Vertex {
 template <class Height>
 class Measure {
  public:
-  Measure(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin)
-      : grid_(grid), heights_(heights), seen_(grid.size()) {
+  Measure(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin,
+          const SampleSet* inside)
+      : grid_(grid), heights_(heights), inside_(inside), seen_(grid.size()) {
+    note_hard_lines(samples_on_hard_lines(grid, tin));
     error_.highest = -std::numeric_limits<double>::infinity();
     error_.lowest = std::numeric_limits<double>::infinity();
     for (const Triangle& t : tin.mesh.triangles()) {
@@ -92,10 +77,21 @@ class Measure {
     count_samples();
     if (error_.samples == 0) error_.highest = error_.lowest = 0;
     else error_.rms = std::sqrt(sum_of_squares_ / static_cast<double>(error_.samples));
+    error_.max = all_.max;
+    error_.column = all_.column;
+    error_.row = all_.row;
     return error_;
   }
 
  private:
+  void note_hard_lines(const std::vector<HardSample>& samples) {
+    error_.samples_on_hard_lines = samples.size();
+    for (const auto& [column, row, height] : samples) {
+      on_hard_.push_back(grid_.index(column, row));
+      note_largest(grid_.height(column, row) - height, column, row, error_.on_hard_lines);
+    }
+  }
+
   Vertex vertex(const Tin& tin, VertexId v) const {
     const Point p = tin.mesh.point(v);
     const double line = p.y / grid_.aspect();
@@ -215,7 +211,8 @@ class Measure {
     sum_of_squares_ += first.sum_of_squares() + second.sum_of_squares();
     const double highest = std::max(first.highest(), second.highest());
     const double lowest = std::min(first.lowest(), second.lowest());
-    if (!(highest > error_.highest || lowest < error_.lowest)) return;
+    const bool is_larger = std::max(highest, -lowest) > error_.elsewhere.max;
+    if (!(highest > error_.highest || lowest < error_.lowest || is_larger)) return;
     for (std::size_t k = 0; k < n; ++k) {
       if (const double off = off_at(k); !std::isnan(off))
         note(off, from + static_cast<std::uint32_t>(k), row);
@@ -233,11 +230,15 @@ class Measure {
   void note(double off, std::uint32_t column, std::uint32_t row) {
     error_.highest = std::max(error_.highest, off);
     error_.lowest = std::min(error_.lowest, off);
-    if (std::abs(off) > error_.max) {
-      error_.max = std::abs(off);
-      error_.column = column;
-      error_.row = row;
-    }
+    note_largest(off, column, row, all_);
+    if (!(std::abs(off) > error_.elsewhere.max)) return;
+    if (std::ranges::binary_search(on_hard_, grid_.index(column, row))) return;
+    note_largest(off, column, row, error_.elsewhere);
+  }
+
+  static void note_largest(double off, std::uint32_t column, std::uint32_t row,
+                           LargestError& largest) {
+    if (std::abs(off) > largest.max) largest = {std::abs(off), column, row};
   }
 
   void count_samples() {
@@ -254,15 +255,19 @@ class Measure {
     for (std::size_t i = first; i < end; ++i) {
       const bool seen = seen_.contains(i), data = !std::isnan(heights_[i]);
       error_.samples += seen && data ? 1 : 0;
-      error_.lost += !seen && data ? 1 : 0;
+      const bool belongs = inside_ == nullptr || inside_->contains(i);
+      error_.lost += !seen && data && belongs ? 1 : 0;
       error_.covered += seen && !data ? 1 : 0;
     }
   }
 
   const HeightGrid& grid_;
   std::span<const Height> heights_;
+  const SampleSet* inside_;
   SampleSet seen_;
+  std::vector<std::size_t> on_hard_;  // samples, ascending
   TerrainError error_;
+  LargestError all_;
   double sum_of_squares_ = 0;
   // Of the row in hand: where it enters and leaves the triangle, how high it enters, and how steep.
   // Heights are those above the first corner: then little is rounded where all are far from 0.
@@ -271,8 +276,9 @@ class Measure {
 
 }  // namespace
 
-TerrainError measure_error(const HeightGrid& grid, const Tin& tin) {
-  return grid.heights.visit([&](auto heights) { return Measure(grid, heights, tin).result(); });
+TerrainError measure_error(const HeightGrid& grid, const Tin& tin, const SampleSet* inside) {
+  return grid.heights.visit(
+      [&](auto heights) { return Measure(grid, heights, tin, inside).result(); });
 }
 
 }  // namespace lepp

@@ -61,12 +61,21 @@ void NearLines::for_each_tile(Point a, Point b, double margin, Visit visit) cons
   }
 }
 
+// Of lines with ends this far away, in cells, places beside the grid are rounded too much to tell
+// tiles.
+bool NearLines::is_far(Point p) const {
+  constexpr double far = 0x1p+40;
+  return std::max(std::abs(p.x), std::abs(p.y / aspect_)) > far;
+}
+
 void NearLines::add(Point a, Point b) {
+  all_marked_ = all_marked_ || is_far(a) || is_far(b);
+  if (all_marked_) return;
   for_each_tile(a, b, 1, [&](std::size_t i) { marked_[i] = true; });
 }
 
 bool NearLines::is_near(Point a, Point b) const {
-  bool near = false;
+  bool near = all_marked_;
   for_each_tile(a, b, 0, [&](std::size_t i) { near = near || marked_[i]; });
   return near;
 }
