@@ -256,7 +256,8 @@ class Run {
       return std::abs(grid_.height(s.column, s.row) - s.height) > most;
     });
     report().warnings.push_back(
-        std::to_string(count) +
+        std::to_string(count) + " of " +
+        std::to_string(report().whole.error.samples_on_hard_lines) +
         " samples on breaklines with heights of their own are off by more than the error asked "
         "for, by up to " +
         lepp::to_text(largest.max) + "; --soft-breaklines takes the heights of the grid");

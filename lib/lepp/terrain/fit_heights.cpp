@@ -17,6 +17,9 @@ namespace {
 constexpr double little_gain = 1e-4;
 // Weights below this are rounding: the sample is on the side across.
 constexpr double no_weight = 1e-9;
+// Squares of weights that sum up to less say nothing of a vertex: no sample is near, and errors far
+// away would be divided by next to nothing.
+constexpr double least_known = 1.0 / 64;
 
 // What a corner contributes to the height of a place in the triangle: 1 at the corner, 0 across.
 class Weight {
@@ -146,7 +149,8 @@ class Fit {
     return true;
   }
 
-  void add_sample(TriangleId t, const std::array<double, 3>& w, double off) {
+  void add_sample(TriangleId t, std::array<double, 3> w, double off) {
+    for (double& weight : w) weight = weight < no_weight ? 0 : weight;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::size_t v = tin_.mesh.vertex(t, k).index();
       diagonal_[v] += w[k] * w[k];
@@ -160,7 +164,7 @@ class Fit {
   // Returns by how much the sum of squares is less.
   double improve(VertexId v) {
     const std::size_t i = v.index();
-    if (diagonal_[i] == 0 || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
+    if (diagonal_[i] < least_known || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
     const double best = rest_[i] / diagonal_[i];
     double step = best;
     for (const TriangleId t : star(v)) step = step == 0 ? 0 : allowed(t, v, step);

@@ -61,15 +61,23 @@ void NearLines::for_each_tile(Point a, Point b, double margin, Visit visit) cons
   }
 }
 
-// Of lines with ends this far away, in cells, places beside the grid are rounded too much to tell
-// tiles.
+// Places on lines with an end this far away, in cells, are rounded too much to tell their tiles.
 bool NearLines::is_far(Point p) const {
   constexpr double far = 0x1p+40;
   return std::max(std::abs(p.x), std::abs(p.y / aspect_)) > far;
 }
 
+// True if both are beyond one side of the grid, and so what is between.
+bool NearLines::is_beside_grid(Point a, Point b) const {
+  const double far = beyond + 1;
+  const auto is_beyond = [&](double p, double q, double most) {
+    return std::max(p, q) < -far || std::min(p, q) > most + far;
+  };
+  return is_beyond(a.x, b.x, columns_) || is_beyond(a.y / aspect_, b.y / aspect_, lines_);
+}
+
 void NearLines::add(Point a, Point b) {
-  all_marked_ = all_marked_ || is_far(a) || is_far(b);
+  if ((is_far(a) || is_far(b)) && !is_beside_grid(a, b)) all_marked_ = true;
   if (all_marked_) return;
   for_each_tile(a, b, 1, [&](std::size_t i) { marked_[i] = true; });
 }
