@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "lepp/terrain/fit_heights.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
 #include "terrain/hills.hpp"
 #include "terrain/plain_error.hpp"
 
@@ -126,4 +127,20 @@ TEST_CASE("fit_heights: stops when asked to, within the bound") {
   options.go_on = [] { return false; };
   CHECK(fit_heights(grid, made.tin, options) == 1);
   CHECK(plain_error(grid, made.tin).max <= 5 * (1 + 1e-12));
+}
+
+// The one sample that the vertex at (1.5, 1.5) has a say in is next to two others: its error,
+// divided by the weight of the first, would take that out of sight.
+TEST_CASE("fit_heights: a vertex that no sample is near keeps its height") {
+  HeightGrid grid = grid_of(4, 4, [](double, double) { return 0; });
+  raise(grid, 2, grid.row_of_line(2), 8);
+  Pslg pslg = polygon({0, 0, 3, 0, 3, 3, 0, 3});
+  for (const Point p : {Point{2.0001, 2}, Point{2, 2.0001}, Point{1.5, 1.5}, Point{1.9, 2.5},
+                        Point{2.5, 1.9}}) {
+    pslg.points.push_back(p);
+  }
+  Tin tin{constrained_delaunay(pslg).mesh, {}};
+  for (const Point p : tin.mesh.points()) tin.heights.push_back(p.x == 1.5 ? 1 : 0);
+  fit_heights(grid, tin, {1e9});
+  for (std::size_t i = 0; i < tin.heights.size(); ++i) CHECK(std::abs(tin.heights[i]) < 30);
 }

@@ -105,10 +105,9 @@ bool TriangleScan::is_on_side(const TerrainCorner& a, const TerrainCorner& b, Sa
   return squared_distance(at, p + part * (q - p)) <= on_line_ * on_line_;
 }
 
-bool TriangleScan::is_passed_over(const std::array<TerrainCorner, 3>& corners, Sides hard,
-                                  Sample s) const {
-  if (is_corner(corners, s)) return true;
-  for (std::size_t i = 0; i < 3 && hard != 0; ++i) {
+bool TriangleScan::is_on_hard_side(const std::array<TerrainCorner, 3>& corners, Sides hard,
+                                   Sample s) const {
+  for (std::size_t i = 0; i < 3; ++i) {
     const bool is_hard = (hard >> i & 1U) != 0;
     if (is_hard && is_on_side(corners[(i + 1) % 3], corners[(i + 2) % 3], s)) return true;
   }
@@ -142,8 +141,10 @@ WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
     if (is_long(span) && !(largest_error(along, base, span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
       const double error = error_at(above(base, along[i]), span.height, span.slope, i);
-      if (error > worst.error && !is_passed_over(corners, hard, {span.first + i, span.line})) {
-        worst = {error, {span.first + i, span.line}};
+      const Sample s{span.first + i, span.line};
+      if (error > worst.error && !is_corner(corners, s) &&
+          (hard == 0 || !is_on_hard_side(corners, hard, s))) {
+        worst = {error, s};
       }
     }
     return true;
@@ -164,8 +165,9 @@ bool TriangleScan::has_other(const Height* heights, double base, const ScanSpan&
                              const std::array<TerrainCorner, 3>& corners, double limit,
                              Sides hard) const {
   for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+    const Sample s{span.first + i, span.line};
     if (error_at(above(base, heights[i]), span.height, span.slope, i) > limit &&
-        !is_passed_over(corners, hard, {span.first + i, span.line})) {
+        !is_corner(corners, s) && (hard == 0 || !is_on_hard_side(corners, hard, s))) {
       return true;
     }
   }

@@ -149,7 +149,7 @@ class TriangleScan {
   template <class Height>
   bool has_other(const Height* heights, double base, const ScanSpan& span,
                  const std::array<TerrainCorner, 3>& corners, double limit, Sides hard) const;
-  bool is_passed_over(const std::array<TerrainCorner, 3>& corners, Sides hard, Sample s) const;
+  bool is_on_hard_side(const std::array<TerrainCorner, 3>& corners, Sides hard, Sample s) const;
   bool is_on_side(const TerrainCorner& a, const TerrainCorner& b, Sample s) const;
 
   const HeightGrid& grid_;
