@@ -244,6 +244,7 @@ class Run {
     if (job_.claims_error && r.goal_reached && !*r.error_kept) break_rule("the error is not kept");
     if (job_.claims_error) warn_of_hard_lines();
     check_coverage(r.whole.error);
+    for (const TerrainFigures& level : r.levels) check_coverage(level.error);
   }
 
   // What they are off by was asked for, but perhaps not meant.

@@ -166,12 +166,13 @@ TEST_CASE("a hard line that ends on the outline from outside asks for nothing") 
   CHECK(asked == 2);
 }
 
-TEST_CASE("triangulate_lines: where hard lines cross there is a vertex with the first one's height") {
+TEST_CASE(
+    "triangulate_lines: where hard lines cross there is a vertex with the first one's height") {
   Pslg lines = polygon({0, 0, 9, 0, 9, 9, 0, 9});
   add_chain(lines, {{1, 1}, {8, 5}}, false);
   add_chain(lines, {{1, 6.1}, {8, 2.3}}, false);
-  const HardTriangulation made = triangulate_lines(
-      lines, {none, none, none, none, 10, 24, 50, 50}, {false, false, false, false, true, true});
+  const HardTriangulation made = triangulate_lines(lines, {none, none, none, none, 10, 24, 50, 50},
+                                                   {false, false, false, false, true, true});
   REQUIRE(made.mesh.vertex_count() == 9);
   CHECK(made.heights[8] == doctest::Approx(10 + 2 * (made.mesh.point(VertexId(8U)).x - 1)));
   CHECK(std::ranges::count(made.hard_segments, true) == 4);

@@ -144,8 +144,7 @@ TEST_CASE("what is measured are the triangles of the result, also where four are
     CAPTURE(error);
     NonobtuseTinOptions options;
     options.max_error = error;
-    const NonobtuseTin made =
-        make_nonobtuse(grid, simplified(grid, domain, error), options);
+    const NonobtuseTin made = make_nonobtuse(grid, simplified(grid, domain, error), options);
     CHECK(made.goal_reached);
     Tin written{made.in_world, made.tin.heights};  // its triangles, back in grid space
     for (std::size_t i = 0; i < written.mesh.vertex_count(); ++i) {

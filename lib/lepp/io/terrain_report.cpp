@@ -26,11 +26,16 @@ Json on_hard_lines(const TerrainError& e) {
 
 Json error(const TerrainFigures& figures) {
   const TerrainError& e = figures.error;
-  return {{"max", e.max},         {"column", e.column},
-          {"row", e.row},         {"at", {figures.error_at.x, figures.error_at.y}},
-          {"highest", e.highest}, {"lowest", e.lowest},
-          {"rms", e.rms},         {"samples", e.samples},
-          {"lost", e.lost},       {"covered", e.covered},
+  return {{"max", e.max},
+          {"column", e.column},
+          {"row", e.row},
+          {"at", {figures.error_at.x, figures.error_at.y}},
+          {"highest", e.highest},
+          {"lowest", e.lowest},
+          {"rms", e.rms},
+          {"samples", e.samples},
+          {"lost", e.lost},
+          {"covered", e.covered},
           {"on_hard_lines", on_hard_lines(e)}};
 }
 

@@ -146,8 +146,8 @@ class DomainCutter {
 
   bool is_hard(HalfEdge e) const {
     const auto& hard = triangulation_.hard_segments;
-    return !hard.empty() && std::ranges::any_of(mesh_.segments_of(e),
-                                                [&](SegmentId s) { return hard[s.index()]; });
+    return !hard.empty() &&
+           std::ranges::any_of(mesh_.segments_of(e), [&](SegmentId s) { return hard[s.index()]; });
   }
 
   // A line that is left out asks for nothing where it ends on the outline.

@@ -164,7 +164,8 @@ class Fit {
   // Returns by how much the sum of squares is less.
   double improve(VertexId v) {
     const std::size_t i = v.index();
-    if (diagonal_[i] < least_known || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
+    if (diagonal_[i] < least_known || (!options_.is_fixed.empty() && options_.is_fixed[i]))
+      return 0;
     const double best = rest_[i] / diagonal_[i];
     double step = best;
     for (const TriangleId t : star(v)) step = step == 0 ? 0 : allowed(t, v, step);

@@ -119,8 +119,8 @@ WorstSample TriangleScan::worst(const std::array<TerrainCorner, 3>& corners, Sid
       [&](auto heights) { return worst_of_lines(heights, corners, hard, 1); });
 }
 
-WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners,
-                                       double enough, Sides hard) const {
+WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners, double enough,
+                                       Sides hard) const {
   const auto [low, high] = std::minmax({corners[0].line, corners[1].line, corners[2].line});
   if (high - low >= many_lines) {
     const WorstSample some = grid_.heights.visit(
