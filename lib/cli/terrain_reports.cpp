@@ -13,6 +13,10 @@ double joined_mean(double a, std::size_t n, double b, std::size_t m) {
   return all > 0 ? (a * static_cast<double>(n) + b * static_cast<double>(m)) / all : 0;
 }
 
+void add_to(LargestError& e, const LargestError& p) {
+  if (p.max > e.max) e = p;
+}
+
 void add_to(TerrainError& e, const TerrainError& p) {
   const double mean_square = joined_mean(e.rms * e.rms, e.samples, p.rms * p.rms, p.samples);
   if (p.max > e.max || e.samples == 0) {
@@ -26,6 +30,9 @@ void add_to(TerrainError& e, const TerrainError& p) {
   e.samples += p.samples;
   e.lost += p.lost;
   e.covered += p.covered;
+  add_to(e.on_hard_lines, p.on_hard_lines);
+  add_to(e.elsewhere, p.elsewhere);
+  e.samples_on_hard_lines += p.samples_on_hard_lines;
 }
 
 void add_to(TerrainFigures& whole, const TerrainFigures& part) {

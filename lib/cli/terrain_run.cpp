@@ -9,7 +9,9 @@
 #include "interrupt.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/terrain/fit_heights.hpp"
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/nonobtuse_tin.hpp"
+#include "lepp/terrain/samples_inside.hpp"
 #include "lepp/terrain/surface_simplify.hpp"
 #include "lepp/terrain/validate_surface.hpp"
 #include "lepp/triangulation/quality.hpp"
@@ -50,6 +52,7 @@ class Run {
         fix_borders(grid_, *job_.border_error, domain_, job_.border_corners);
       }
     });
+    if (!job_.domain.clip.empty()) inside_ = samples_inside(grid_, domain_);
     report().warnings = domain_.warnings;
     warn_of_nodata();
     report().seconds.simplify = timed([&] { simplify_grid(); });
@@ -118,7 +121,7 @@ class Run {
     options.keep_error = job_.claims_error;
     options.min_angle_deg = job_.simplify.min_angle_deg;
     options.progress = [&](std::size_t vertices) { return progress(vertices); };
-    NonobtuseTin made = make_nonobtuse(grid_, domain_, std::move(made_.finest.tin), options);
+    NonobtuseTin made = make_nonobtuse(grid_, std::move(made_.finest.tin), options);
     made_.finest.tin = std::move(made.tin);
     in_world_ = std::move(made.in_world);
     judged_in_world_ = made.judged_in_world;
@@ -137,11 +140,15 @@ class Run {
     fit(made_.finest, job_.claims_error ? job_.simplify.max_error : 0);
   }
 
+  TerrainError measured(const Tin& tin) const {
+    return measure_error(grid_, tin, inside_ ? &*inside_ : nullptr);
+  }
+
   void fit(MadeTin& made, double max_error) {
-    made.figures.unfitted = measure_error(grid_, made.tin);
+    made.figures.unfitted = measured(made.tin);
     FitOptions options;
-    options.max_error = std::max(max_error, made.figures.unfitted->max);
-    options.is_fixed = fixed_vertices(grid_, domain_, made.tin.mesh);
+    options.max_error = std::max(max_error, made.figures.unfitted->elsewhere.max);
+    options.is_fixed = fixed_vertices(grid_, domain_, made.tin);
     options.go_on = [] { return !interrupted(); };
     fit_heights(grid_, made.tin, options);
   }
@@ -177,7 +184,7 @@ class Run {
     const bool is_finest = &made == &made_.finest;
     figures.vertices = made.tin.mesh.vertex_count();
     figures.triangles = made.tin.mesh.triangle_count();
-    report().seconds.measure += timed([&] { figures.error = measure_error(grid_, made.tin); });
+    report().seconds.measure += timed([&] { figures.error = measured(made.tin); });
     figures.error.column += place_.column;
     figures.error.row += place_.row;
     const std::uint32_t row = figures.error.row;
@@ -247,13 +254,32 @@ class Run {
     r.goal_reached = is_count_kept() && is_good && !interrupted() && r.admissible.value_or(true);
     if (job_.claims_error) r.error_kept = is_kept(r.whole.error, job_.simplify.max_error);
     if (job_.claims_error && r.goal_reached && !*r.error_kept) break_rule("the error is not kept");
+    if (job_.claims_error) warn_of_hard_lines();
     check_coverage(r.whole.error);
+    for (const TerrainFigures& level : r.levels) check_coverage(level.error);
+  }
+
+  // What they are off by was asked for, but perhaps not meant.
+  void warn_of_hard_lines() {
+    const LargestError& largest = report().whole.error.on_hard_lines;
+    const double most = kept_error(job_.simplify.max_error, rounding_);
+    if (largest.max <= most) return;
+    const std::vector<HardSample> samples = samples_on_hard_lines(grid_, made_.finest.tin);
+    const auto count = std::ranges::count_if(samples, [&](const HardSample& s) {
+      return std::abs(grid_.height(s.column, s.row) - s.height) > most;
+    });
+    report().warnings.push_back(
+        std::to_string(count) + " of " +
+        std::to_string(report().whole.error.samples_on_hard_lines) +
+        " samples on breaklines with heights of their own are off by more than the error asked "
+        "for, by up to " +
+        lepp::to_text(largest.max) + "; --soft-breaklines takes the heights of the grid");
   }
 
   bool is_kept(const TerrainError& error, double asked) const {
     const double in_world =
         job_.nonobtuse ? rounding_in_world * (report_highest() - report_lowest()) : 0;
-    return error.max <= kept_error(asked, rounding_) + in_world;
+    return error.elsewhere.max <= kept_error(asked, rounding_) + in_world;
   }
   double report_lowest() const { return made_.report.lowest; }
   double report_highest() const { return made_.report.highest; }
@@ -276,8 +302,7 @@ class Run {
 
   void check_coverage(const TerrainError& error) {
     if (error.covered > 0) break_rule("triangles cover samples without data");
-    if (error.lost == 0) return;
-    if (job_.domain.clip.empty()) break_rule("samples with data are in no triangle");
+    if (error.lost > 0) break_rule("samples with data are in no triangle");
   }
 
   const HeightGrid& grid_;
@@ -285,6 +310,7 @@ class Run {
   const TerrainJob& job_;
   const double rounding_;
   TerrainDomain domain_;
+  std::optional<SampleSet> inside_;  // clip polygons
   SimplifyReport simplified_;
   std::optional<Mesh> in_world_;  // of --nonobtuse: as it was refined there
   bool judged_in_world_ = true;

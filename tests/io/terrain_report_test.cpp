@@ -29,6 +29,9 @@ TerrainReport sample() {
   report.whole.error.column = 14;
   report.whole.error.row = 26;
   report.whole.error.samples = 1608;
+  report.whole.error.on_hard_lines.max = 2.25;
+  report.whole.error.elsewhere.max = 1.75;
+  report.whole.error.samples_on_hard_lines = 7;
   report.levels.push_back({"dem.level1.ply", "level 1", 40, 66, {}, {}});
   report.below_bound[static_cast<std::size_t>(Reason::kept_border)] = 3;
   report.error_kept = report.goal_reached = report.valid = true;
@@ -47,6 +50,8 @@ TEST_CASE("the terrain report for machines names the error, its place, and every
   CHECK(json["asked_for"]["max_vertices"].is_null());
   CHECK(json["error"]["max"] == 2.25);
   CHECK(json["error"]["column"] == 14);
+  CHECK(json["error"]["on_hard_lines"] ==
+        nlohmann::json({{"samples", 7}, {"max", 2.25}, {"max_elsewhere", 1.75}}));
   CHECK(json["error"]["at"] == nlohmann::json({431550.0, 5103725.0}));
   CHECK(json["levels"][0]["output"] == "dem.level1.ply");
   CHECK(json["below_bound"].size() == ReasonCounts().size());
@@ -60,6 +65,7 @@ TEST_CASE("the terrain report for people says what was asked for beside what was
   const std::string text = to_text(sample());
   CHECK(contains(text, "2.25 (asked for: 2.5)"));
   CHECK(contains(text, "column 14, row 26: (431550, 5103725)"));
+  CHECK(contains(text, "7 samples, off by up to 2.25; elsewhere 1.75"));
   CHECK(contains(text, "60 x 40 samples, 1608 with data"));
   CHECK(contains(text, "3 kept_border"));
   CHECK(contains(text, "dem.level1.ply"));

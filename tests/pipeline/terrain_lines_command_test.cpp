@@ -25,14 +25,45 @@ TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") 
     CHECK(v[1] <= 5104100);
     CHECK(v[2] < 800);
   }
-  const Outcome hard =
-      run(folder.path(), "terrain " + hill() +
-                             " -o h.obj --max-error 5 --clip "
-                             "clip.geojson --breaklines dyke.geojson --allow-unfinished");
+  const Outcome hard = run(folder.path(), "terrain " + hill() +
+                                              " -o h.obj --max-error 5 --clip "
+                                              "clip.geojson --breaklines dyke.geojson");
   CAPTURE(hard.out);
-  CHECK((hard.status == 0 || hard.status == 3));
+  CHECK(hard.status == 0);
+  CHECK(has(hard.out, "samples lost, nodata covered      0, 0"));
   const ObjTin dyke = read_obj(folder / "h.obj");
   CHECK(std::ranges::count_if(dyke.vertices, [](const Place& v) { return v[2] == 800; }) >= 2);
+}
+
+TEST_CASE(
+    "samples on hard breaklines are off by what was asked for: counted, told, and no failure") {
+  const ScratchFolder folder;
+  std::string grid = "ncols 15\nnrows 15\nxllcenter 0\nyllcenter 0\ncellsize 1\n";
+  for (int row = 0; row < 15; ++row) grid += "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n";
+  folder.put("flat.asc", grid);
+  folder.put("wall.json", R"({"type": "LineString", "coordinates": [[0, 9, -6], [12, 9, 0]]})");
+  const std::string command = "terrain flat.asc --max-error 1 --breaklines wall.json ";
+  for (const std::string by : {"--by greedy", "--by lepp", "--nonobtuse", "--metric surface"}) {
+    CAPTURE(by);
+    const Outcome made = run(folder.path(), command + by + " -o t.obj --json t.json --force");
+    CAPTURE(made.out);
+    CHECK(made.status == 0);
+    CHECK(has(made.out, "error kept                        yes"));
+    CHECK(has(made.out, "13 samples, off by up to 6; elsewhere "));
+    CHECK(has(made.out,
+              "warning: 10 of 13 samples on breaklines with heights of their own are off "
+              "by more than the error asked for, by up to 6;"));
+    const auto error = Json::parse(content_of(folder / "t.json"))["error"];
+    CHECK(error["max"] == 6);
+    CHECK(error["on_hard_lines"]["samples"] == 13);
+    CHECK(error["on_hard_lines"]["max"] == 6);
+    CHECK(error["on_hard_lines"]["max_elsewhere"] <= 1 + 1e-9);
+  }
+  const Outcome soft = run(folder.path(),
+                           "terrain flat.asc --max-error 1 --soft-breaklines "
+                           "wall.json -o s.obj");
+  CHECK(soft.status == 0);
+  CHECK(!has(soft.out, "hard"));
 }
 
 TEST_CASE("clip polygons and breaklines are inputs: nothing replaces them, --force or not") {

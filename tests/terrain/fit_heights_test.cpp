@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "lepp/terrain/fit_heights.hpp"
+#include "lepp/triangulation/constrained_delaunay.hpp"
 #include "terrain/hills.hpp"
 #include "terrain/plain_error.hpp"
 
@@ -99,7 +100,7 @@ TEST_CASE("fit_heights: hard lines and borders of tiles keep their heights; noda
   Breakline line{{{3, -5}, {15, -28}}, {20, 60}, "line"};
   Made made = ::made(grid, 200, SimplifyBy::lepp, {{}, {line}});
   made.domain.kept_border.assign(made.domain.pslg.points.size(), true);
-  const std::vector<bool> fixed = fixed_vertices(grid, made.domain, made.tin.mesh);
+  const std::vector<bool> fixed = fixed_vertices(grid, made.domain, made.tin);
   const Tin before = made.tin;
   FitOptions options;
   options.max_error = 200;
@@ -150,4 +151,23 @@ TEST_CASE("fit_heights: no vertex goes farther than samples may be off, however 
     CHECK(is.max <= std::max(max_error, was.max));
     CHECK(is.rms <= was.rms + 1e-12);
   }
+}
+
+// The one sample that the vertex at (1.5, 1.5) has a say in is next to two others: its error,
+// divided by the weight of the first, would take that out of sight.
+TEST_CASE("fit_heights: a vertex that no sample is near keeps its height") {
+  HeightGrid grid = grid_of(4, 4, [](double, double) { return 0; });
+  raise(grid, 2, grid.row_of_line(2), 8);
+  Pslg pslg = polygon({0, 0, 3, 0, 3, 3, 0, 3});
+  for (const Point p : {Point{2.0001, 2}, Point{2, 2.0001}, Point{1.5, 1.5}, Point{1.2, 1.2},
+                        Point{1.8, 1.2}, Point{1.2, 1.8}}) {
+    pslg.points.push_back(p);
+  }
+  Tin tin{constrained_delaunay(pslg).mesh, {}};
+  for (const Point p : tin.mesh.points()) tin.heights.push_back(p.x == 1.5 ? 1 : 0);
+  FitOptions options;
+  options.max_error = 1e9;
+  for (const double height : tin.heights) options.is_fixed.push_back(height == 0);
+  fit_heights(grid, tin, options);
+  CHECK(std::ranges::count(tin.heights, 1.0) == 1);
 }

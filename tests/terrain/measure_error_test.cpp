@@ -73,7 +73,8 @@ TEST_CASE("measure_error: the same by one thread and by two") {
   const HeightGrid grid = rough(400, 350, 11);  // enough samples for a second thread
   SimplifyReport report;
   const Tin tin = simplify(grid, terrain_domain(grid), {.max_error = 6}, report);
-  const TerrainError one = measure_error(grid, tin, 1), two = measure_error(grid, tin, 2);
+  const TerrainError one = measure_error(grid, tin, nullptr, 1),
+                     two = measure_error(grid, tin, nullptr, 2);
   CHECK(one.max == two.max);
   CHECK(one.column == two.column);
   CHECK(one.row == two.row);

@@ -50,6 +50,20 @@ TEST_CASE("a segment within a cell of a line is near it, most others are not") {
   CHECK(far > 500);
 }
 
+TEST_CASE("a line from far outside to far outside is near what it passes") {
+  const HeightGrid grid = test::grid_of(std::vector<std::string>(40, std::string(40, '1')));
+  for (const double far : {1e3, 1e9, 1e13, 1e16, 1e20, 1e60}) {
+    CAPTURE(far);
+    NearLines lines(grid);
+    lines.add({-far, 7.5}, {far, 7.5});
+    CHECK(lines.is_near({39, 0}, {39, 39}));
+    CHECK(lines.is_near({0, 0}, {0, 39}));
+    NearLines slanting(grid);
+    slanting.add({-far, -far}, {far, far});
+    CHECK(slanting.is_near({39, 0}, {39, 39}));
+  }
+}
+
 TEST_CASE("a line far outside, or of no length, marks no more than it should") {
   const HeightGrid grid = test::grid_of(std::vector<std::string>(40, std::string(40, '1')));
   NearLines lines(grid);

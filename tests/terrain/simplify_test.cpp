@@ -229,6 +229,7 @@ TEST_CASE("simplify: a hard line keeps its heights, also where it is cut") {
   domain.fixed_heights.assign(6, std::numeric_limits<double>::quiet_NaN());
   domain.fixed_heights[4] = 100;
   domain.fixed_heights[5] = 200;
+  domain.hard_segments = {false, false, false, false, true};
   for (const SimplifyBy by : both) {
     SimplifyReport report;
     const Tin tin = simplify(grid, domain, {.max_error = 5, .by = by}, report);

@@ -243,6 +243,7 @@ TEST_CASE("Surface metric: lines stay, hard ones with their heights, and borders
   domain.fixed_heights.assign(6, std::numeric_limits<double>::quiet_NaN());
   domain.fixed_heights[4] = 10;
   domain.fixed_heights[5] = 20;
+  domain.hard_segments = {false, false, false, false, true};
   domain.kept_border.resize(6, false);
   SimplifyReport report;
   const Tin tin = run(grid, domain, {.max_error = 2}, TerrainMetric::surface, report);

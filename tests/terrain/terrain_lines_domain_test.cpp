@@ -56,6 +56,17 @@ TEST_CASE("a clip polygon keeps what is inside it, its corners become vertices")
   CHECK(validate(domain.pslg).empty());
 }
 
+TEST_CASE("a line that begins and ends far beyond the grid is cut by the outline") {
+  for (const double far : {1e9, 1e16, 1e20, 1e50}) {
+    CAPTURE(far);
+    const Breakline line{{{-far, 2.5}, {far, 2.5}}, {7, 7}, "line"};
+    const TerrainDomain domain = terrain_domain(square, {.breaklines = {line}});
+    CHECK(segments_of_curve(domain, 1) == 1);
+    CHECK(height_of(domain, {0, 2.5}) == 7);
+    CHECK(height_of(domain, {4, 2.5}) == 7);
+  }
+}
+
 TEST_CASE("clip polygons are united: overlaps, neighbours, holes, islands in holes") {
   const auto area = [](std::vector<ClipPolygon> clip) {
     return area_of(terrain_domain(square, {.clip = std::move(clip)}));

@@ -84,4 +84,10 @@ TEST_CASE("TriangleScan: the worst sample, and where") {
   CHECK(worst.at == Sample{4, 3});
   CHECK(TriangleScan(grid).is_within(t, 7.001));
   CHECK(!TriangleScan(grid).is_within(t, 6.999));
+  const WorstSample beside =
+      TriangleScan(grid).worst(t, 1);  // the long side lies opposite corner 0
+  CHECK(beside.error == doctest::Approx(5));
+  CHECK(beside.at == Sample{2, 3});
+  CHECK(TriangleScan(grid).is_within(t, 5.001, 1));
+  CHECK(!TriangleScan(grid).is_within(t, 6.999, 6));
 }

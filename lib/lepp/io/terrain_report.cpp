@@ -18,13 +18,25 @@ Json optional(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
+Json on_hard_lines(const TerrainError& e) {
+  return {{"samples", e.samples_on_hard_lines},
+          {"max", e.on_hard_lines.max},
+          {"max_elsewhere", e.elsewhere.max}};
+}
+
 Json error(const TerrainFigures& figures) {
   const TerrainError& e = figures.error;
-  return {{"max", e.max},         {"column", e.column},
-          {"row", e.row},         {"at", {figures.error_at.x, figures.error_at.y}},
-          {"highest", e.highest}, {"lowest", e.lowest},
-          {"rms", e.rms},         {"samples", e.samples},
-          {"lost", e.lost},       {"covered", e.covered}};
+  return {{"max", e.max},
+          {"column", e.column},
+          {"row", e.row},
+          {"at", {figures.error_at.x, figures.error_at.y}},
+          {"highest", e.highest},
+          {"lowest", e.lowest},
+          {"rms", e.rms},
+          {"samples", e.samples},
+          {"lost", e.lost},
+          {"covered", e.covered},
+          {"on_hard_lines", on_hard_lines(e)}};
 }
 
 // Before the heights were fitted to the grid.

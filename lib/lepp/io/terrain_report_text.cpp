@@ -46,6 +46,11 @@ std::string error_lines(const TerrainReport& r) {
   add_line(text, "  at", place(r.whole));
   add_line(text, "  grid above, grid below, RMS",
            fmt::format("{:.6g}, {:.6g}, {:.6g}", e.highest, -e.lowest, e.rms));
+  if (e.samples_on_hard_lines > 0) {
+    add_line(text, "  on hard breaklines",
+             fmt::format("{} samples, off by up to {:.6g}; elsewhere {:.6g}",
+                         e.samples_on_hard_lines, e.on_hard_lines.max, e.elsewhere.max));
+  }
   if (const auto& before = r.whole.unfitted) {
     add_line(text, "before heights were fitted",
              fmt::format("largest {:.6g}, RMS {:.6g}", before->max, before->rms));

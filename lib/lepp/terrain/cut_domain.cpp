@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
-#include "lepp/triangulation/constrained_delaunay.hpp"
+#include "lepp/terrain/hard_lines.hpp"
 
 namespace lepp {
 
@@ -95,7 +95,8 @@ class DomainCutter {
   DomainCutter(const Arrangement& arrangement, const DomainOptions& options)
       : arrangement_(arrangement),
         options_(options),
-        triangulation_(constrained_delaunay(arrangement.pslg)),
+        triangulation_(triangulate_lines(arrangement.pslg, arrangement.fixed_heights,
+                                         arrangement.hard_segments)),
         mesh_(triangulation_.mesh),
         insides_(mesh_, arrangement),
         kept_(arrangement.kind.size()) {}
@@ -103,6 +104,7 @@ class DomainCutter {
   TerrainDomain run() {
     insides_.run();
     number_of_.assign(mesh_.vertex_count(), unset);
+    at_hard_.assign(mesh_.vertex_count(), false);
     for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) look_at({TriangleId(t), i});
     }
@@ -135,23 +137,27 @@ class DomainCutter {
       if (!curve || (inner && c < *curve)) curve = c;
     }
     if (!curve) return;  // inside the union of clip polygons
-    segments_.push_back({mesh_.origin(e), mesh_.destination(e), curve});
-    number_of_[mesh_.origin(e).index()] = number_of_[mesh_.destination(e).index()] = 0;
+    const VertexId a = mesh_.origin(e), b = mesh_.destination(e);
+    segments_.push_back({a, b, curve});
+    number_of_[a.index()] = number_of_[b.index()] = 0;
+    domain_.hard_segments.push_back(is_hard(e));
+    if (domain_.hard_segments.back()) at_hard_[a.index()] = at_hard_[b.index()] = true;
   }
 
+  bool is_hard(HalfEdge e) const {
+    const auto& hard = triangulation_.hard_segments;
+    return !hard.empty() &&
+           std::ranges::any_of(mesh_.segments_of(e), [&](SegmentId s) { return hard[s.index()]; });
+  }
+
+  // A line that is left out asks for nothing where it ends on the outline.
   void number_points() {
-    const Pslg& from = arrangement_.pslg;
-    std::vector<double> heights(mesh_.vertex_count(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < from.points.size(); ++i) {
-      // Several points may have become one vertex.
-      const auto v = triangulation_.report.vertex_of_point[i];
-      if (v && std::isnan(heights[v->index()])) heights[v->index()] = arrangement_.fixed_heights[i];
-    }
     for (std::size_t v = 0; v < number_of_.size(); ++v) {
       if (number_of_[v] == unset) continue;
       number_of_[v] = static_cast<std::uint32_t>(domain_.pslg.points.size());
       domain_.pslg.points.push_back(mesh_.point(VertexId(v)));
-      domain_.fixed_heights.push_back(heights[v]);
+      domain_.fixed_heights.push_back(at_hard_[v] ? triangulation_.heights[v]
+                                                  : std::numeric_limits<double>::quiet_NaN());
     }
     for (Segment& s : segments_) {
       s.a = VertexId(number_of_[s.a.index()]);
@@ -195,12 +201,13 @@ class DomainCutter {
 
   const Arrangement& arrangement_;
   const DomainOptions& options_;
-  const Triangulation triangulation_;
+  const HardTriangulation triangulation_;
   const Mesh& mesh_;
   Insides insides_;
   std::vector<std::size_t> kept_;         // pieces inside, by curve
   std::vector<Segment> segments_;         // between vertices of the mesh
   std::vector<std::uint32_t> number_of_;  // by vertex of the mesh
+  std::vector<bool> at_hard_;             // likewise: an end of a hard segment inside
   TerrainDomain domain_;
 };
 

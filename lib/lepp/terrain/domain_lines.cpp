@@ -62,6 +62,7 @@ class Arranger {
     }
     graph_.heights.resize(pslg_.segments.size());
     result.fixed_heights = heights_of_points();
+    for (const EndHeights& h : graph_.heights) result.hard_segments.push_back(!std::isnan(h.a));
     result.pslg = std::move(pslg_);
     result.kind = std::move(kind_);
     return result;

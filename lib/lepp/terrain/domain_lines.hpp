@@ -15,7 +15,8 @@ struct Arrangement {
   std::vector<LineKind> kind;  ///< of each curve; the outline is curve 0, then the breaklines
   /// Heights that hard breaklines ask for, one per point; NaN: none. Where two meet, the first one.
   std::vector<double> fixed_heights;
-  std::size_t places_joined = 0;  ///< where lines were moved to meet
+  std::vector<bool> hard_segments;  ///< one per segment: of a hard breakline
+  std::size_t places_joined = 0;    ///< where lines were moved to meet
 };
 
 /// Puts lines beside an outline in grid space. Their points are moved to a column or a line of

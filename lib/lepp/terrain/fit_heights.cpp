@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lepp/terrain/hard_heights.hpp"
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/sample_space.hpp"
 #include "lepp/terrain/simplify.hpp"
 #include "lepp/terrain/triangle_scan.hpp"
@@ -18,6 +18,9 @@ namespace {
 constexpr double little_gain = 1e-4;
 // Weights below this are rounding: the sample is on the side across.
 constexpr double no_weight = 1e-9;
+// Squares of weights that sum up to less say nothing of a vertex: no sample is near, and errors far
+// away would be divided by next to nothing.
+constexpr double least_known = 1.0 / 64;
 
 // What a corner contributes to the height of a place in the triangle: 1 at the corner, 0 across.
 class Weight {
@@ -152,7 +155,8 @@ class Fit {
     return true;
   }
 
-  void add_sample(TriangleId t, const std::array<double, 3>& w, double off) {
+  void add_sample(TriangleId t, std::array<double, 3> w, double off) {
+    for (double& weight : w) weight = weight < no_weight ? 0 : weight;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::size_t v = tin_.mesh.vertex(t, k).index();
       diagonal_[v] += w[k] * w[k];
@@ -166,7 +170,8 @@ class Fit {
   // Returns by how much the sum of squares is less.
   double improve(VertexId v) {
     const std::size_t i = v.index();
-    if (diagonal_[i] == 0 || (!options_.is_fixed.empty() && options_.is_fixed[i])) return 0;
+    if (diagonal_[i] < least_known || (!options_.is_fixed.empty() && options_.is_fixed[i]))
+      return 0;
     const double best = rest_[i] / diagonal_[i];
     // From where it was a vertex goes no farther than samples may be off: one with little weight
     // in its samples would be sent to the skies for them.
@@ -236,14 +241,14 @@ std::size_t fit_heights(const HeightGrid& grid, Tin& tin, const FitOptions& opti
 }
 
 std::vector<bool> fixed_vertices(const HeightGrid& grid, const TerrainDomain& domain,
-                                 const Mesh& mesh) {
-  const HardHeights hard(domain);
+                                 const Tin& tin) {
+  std::vector<bool> fixed = hard_vertices(tin);
+  if (domain.kept_border.empty()) return fixed;
   const Point corner = grid.sample(grid.columns - 1, grid.rows - 1);
-  std::vector<bool> fixed(mesh.vertex_count(), false);
   for (std::size_t i = 0; i < fixed.size(); ++i) {
-    const Point p = mesh.point(VertexId(i));
+    const Point p = tin.mesh.point(VertexId(i));
     const bool on_border = p.x == 0 || p.y == 0 || p.x == corner.x || p.y == corner.y;
-    fixed[i] = (on_border && !domain.kept_border.empty()) || hard.at(mesh, VertexId(i)).has_value();
+    fixed[i] = fixed[i] || on_border;
   }
   return fixed;
 }

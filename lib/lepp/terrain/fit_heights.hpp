@@ -31,6 +31,6 @@ std::size_t fit_heights(const HeightGrid& grid, Tin& tin, const FitOptions& opti
 /// The vertices of a TIN whose heights are others' to choose: those of hard breaklines, and those
 /// on borders that a neighbour shares (TerrainDomain::kept_border).
 std::vector<bool> fixed_vertices(const HeightGrid& grid, const TerrainDomain& domain,
-                                 const Mesh& mesh);
+                                 const Tin& tin);
 
 }  // namespace lepp

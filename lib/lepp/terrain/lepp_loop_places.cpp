@@ -95,7 +95,8 @@ double LeppLoop::error_of_star(Point p) const {
   double worst = 0;
   for (const auto& side : star_.link) {
     const auto found = terrain_.scan().worst({center, terrain_.corner(mesh_.origin(side.edge)),
-                                              terrain_.corner(mesh_.destination(side.edge))});
+                                              terrain_.corner(mesh_.destination(side.edge))},
+                                             terrain_.hard_side(side.edge, 0));
     worst = std::max(worst, found.error);
   }
   return worst;

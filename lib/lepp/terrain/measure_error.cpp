@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lepp/geometry/two_threads.hpp"
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/simplify.hpp"
 
 namespace lepp {
@@ -19,24 +20,6 @@ namespace {
 // Samples nearer to a side than this, in cells, are on it: vertices in world coordinates are not
 // where they were meant to be by about that much.
 constexpr double on_side = 1e-7;
-
-class SampleSet {
- public:
-  static constexpr std::size_t bits = 64;  // of a word
-  explicit SampleSet(std::size_t size) : words_((size + 63) / 64, 0) {}
-  /// Of the word that begins with sample `first`.
-  bool contains_all(std::size_t first) const { return words_[first / 64] == ~std::uint64_t{0}; }
-  bool contains(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1U) != 0; }
-  void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
-  void add(std::size_t first, std::size_t end) {
-    for (; first < end && first % 64 != 0; ++first) add(first);
-    for (; first + 64 <= end; first += 64) words_[first / 64] = ~std::uint64_t{0};
-    for (; first < end; ++first) add(first);
-  }
-
- private:
-  std::vector<std::uint64_t> words_;
-};
 
 // Two doubles at a time, as every machine of today does; compilers do not see that for themselves,
 // because the order in which a maximum is taken matters where there are NaNs.
@@ -72,6 +55,10 @@ class Spread {
 struct Vertex {
   double x, y, z;
 };
+
+void note_largest(double off, std::uint32_t column, std::uint32_t row, LargestError& largest) {
+  if (std::abs(off) > largest.max) largest = {std::abs(off), column, row};
+}
 
 // The corners of triangles, as columns and rows of the file.
 class Corners {
@@ -120,10 +107,13 @@ template <class Height>
 class Measure {
  public:
   // Rows from `first_row` to before `end_row`.
-  Measure(const HeightGrid& grid, std::span<const Height> heights, std::uint32_t first_row,
-          std::uint32_t end_row)
+  // `on_hard`: samples on hard lines, ascending.
+  Measure(const HeightGrid& grid, std::span<const Height> heights, const SampleSet* inside,
+          std::span<const std::size_t> on_hard, std::uint32_t first_row, std::uint32_t end_row)
       : grid_(grid),
         heights_(heights),
+        inside_(inside),
+        on_hard_(on_hard),
         first_row_(first_row),
         end_row_(end_row),
         first_sample_(grid.index(0, first_row)),
@@ -143,10 +133,9 @@ class Measure {
 
   // With what was found in other rows, behind these.
   TerrainError result_with(const Measure& other) {
-    if (other.error_.max > error_.max) {
-      error_.max = other.error_.max;
-      error_.column = other.error_.column;
-      error_.row = other.error_.row;
+    if (other.all_.max > all_.max) all_ = other.all_;
+    if (other.error_.elsewhere.max > error_.elsewhere.max) {
+      error_.elsewhere = other.error_.elsewhere;
     }
     error_.highest = std::max(error_.highest, other.error_.highest);
     error_.lowest = std::min(error_.lowest, other.error_.lowest);
@@ -156,6 +145,9 @@ class Measure {
     const double squares = sum_of_squares_ + other.sum_of_squares_;
     if (error_.samples == 0) error_.highest = error_.lowest = 0;
     else error_.rms = std::sqrt(squares / static_cast<double>(error_.samples));
+    error_.max = all_.max;
+    error_.column = all_.column;
+    error_.row = all_.row;
     return error_;
   }
 
@@ -275,7 +267,8 @@ class Measure {
     sum_of_squares_ += first.sum_of_squares() + second.sum_of_squares();
     const double highest = std::max(first.highest(), second.highest());
     const double lowest = std::min(first.lowest(), second.lowest());
-    if (!(highest > error_.highest || lowest < error_.lowest)) return;
+    const bool is_larger = std::max(highest, -lowest) > error_.elsewhere.max;
+    if (!(highest > error_.highest || lowest < error_.lowest || is_larger)) return;
     for (std::size_t k = 0; k < n; ++k) {
       if (const double off = off_at(k); !std::isnan(off))
         note(off, from + static_cast<std::uint32_t>(k), row);
@@ -293,11 +286,10 @@ class Measure {
   void note(double off, std::uint32_t column, std::uint32_t row) {
     error_.highest = std::max(error_.highest, off);
     error_.lowest = std::min(error_.lowest, off);
-    if (std::abs(off) > error_.max) {
-      error_.max = std::abs(off);
-      error_.column = column;
-      error_.row = row;
-    }
+    note_largest(off, column, row, all_);
+    if (!(std::abs(off) > error_.elsewhere.max)) return;
+    if (std::ranges::binary_search(on_hard_, grid_.index(column, row))) return;
+    note_largest(off, column, row, error_.elsewhere);
   }
 
   void count_samples() {
@@ -316,17 +308,21 @@ class Measure {
     for (std::size_t i = first; i < end; ++i) {
       const bool seen = seen_.contains(i), data = !std::isnan(own[i]);
       error_.samples += seen && data ? 1 : 0;
-      error_.lost += !seen && data ? 1 : 0;
+      const bool belongs = inside_ == nullptr || inside_->contains(first_sample_ + i);
+      error_.lost += !seen && data && belongs ? 1 : 0;
       error_.covered += seen && !data ? 1 : 0;
     }
   }
 
   const HeightGrid& grid_;
   std::span<const Height> heights_;
+  const SampleSet* inside_;
+  std::span<const std::size_t> on_hard_;
   const std::uint32_t first_row_, end_row_;
   const std::size_t first_sample_, end_sample_;
   SampleSet seen_;  // from first_sample_ on
   TerrainError error_;
+  LargestError all_;
   double sum_of_squares_ = 0;
   // Of the row in hand: where it enters and leaves the triangle, how high it enters, and how steep.
   // Heights are those above the first corner: then little is rounded where all are far from 0.
@@ -336,22 +332,33 @@ class Measure {
 // In two halves of the rows, whatever the number of threads, so that sums are the same.
 template <class Height>
 TerrainError measured(const HeightGrid& grid, std::span<const Height> heights, const Tin& tin,
-                      unsigned threads) {
+                      const SampleSet* inside, unsigned threads) {
   constexpr std::size_t few_samples = 100'000;  // faster than a thread starts
   const Corners corners(grid, tin);
   const std::vector<std::uint32_t> triangles = corners.by_rows(grid.rows);
+  const std::vector<HardSample> hard = samples_on_hard_lines(grid, tin);
+  std::vector<std::size_t> on_hard;
+  for (const HardSample& s : hard) on_hard.push_back(grid.index(s.column, s.row));
   const std::uint32_t middle = grid.rows / 2;
-  Measure first(grid, heights, 0, middle), second(grid, heights, middle, grid.rows);
+  Measure first(grid, heights, inside, on_hard, 0, middle);
+  Measure second(grid, heights, inside, on_hard, middle, grid.rows);
   in_parallel(
       grid.size() < few_samples ? 1 : threads, [&] { first.run(corners, triangles); },
       [&] { second.run(corners, triangles); });
-  return first.result_with(second);
+  TerrainError error = first.result_with(second);
+  error.samples_on_hard_lines = hard.size();
+  for (const auto& [column, row, height] : hard) {
+    note_largest(grid.height(column, row) - height, column, row, error.on_hard_lines);
+  }
+  return error;
 }
 
 }  // namespace
 
-TerrainError measure_error(const HeightGrid& grid, const Tin& tin, unsigned threads) {
-  return grid.heights.visit([&](auto heights) { return measured(grid, heights, tin, threads); });
+TerrainError measure_error(const HeightGrid& grid, const Tin& tin, const SampleSet* inside,
+                           unsigned threads) {
+  return grid.heights.visit(
+      [&](auto heights) { return measured(grid, heights, tin, inside, threads); });
 }
 
 }  // namespace lepp

@@ -61,12 +61,29 @@ void NearLines::for_each_tile(Point a, Point b, double margin, Visit visit) cons
   }
 }
 
+// Places on lines with an end this far away, in cells, are rounded too much to tell their tiles.
+bool NearLines::is_far(Point p) const {
+  constexpr double far = 0x1p+40;
+  return std::max(std::abs(p.x), std::abs(p.y / aspect_)) > far;
+}
+
+// True if both are beyond one side of the grid, and so what is between.
+bool NearLines::is_beside_grid(Point a, Point b) const {
+  const double far = beyond + 1;
+  const auto is_beyond = [&](double p, double q, double most) {
+    return std::max(p, q) < -far || std::min(p, q) > most + far;
+  };
+  return is_beyond(a.x, b.x, columns_) || is_beyond(a.y / aspect_, b.y / aspect_, lines_);
+}
+
 void NearLines::add(Point a, Point b) {
+  if ((is_far(a) || is_far(b)) && !is_beside_grid(a, b)) all_marked_ = true;
+  if (all_marked_) return;
   for_each_tile(a, b, 1, [&](std::size_t i) { marked_[i] = true; });
 }
 
 bool NearLines::is_near(Point a, Point b) const {
-  bool near = false;
+  bool near = all_marked_;
   for_each_tile(a, b, 0, [&](std::size_t i) { near = near || marked_[i]; });
   return near;
 }

@@ -19,6 +19,8 @@ class NearLines {
   bool is_near(Point a, Point b) const;
 
  private:
+  bool is_far(Point p) const;
+  bool is_beside_grid(Point a, Point b) const;
   template <class Visit>
   void for_each_tile(Point a, Point b, double margin, Visit visit) const;
 
@@ -26,6 +28,7 @@ class NearLines {
   double columns_, lines_;      // of samples, less 1
   std::size_t across_, along_;  // tiles
   std::vector<bool> marked_;
+  bool all_marked_ = false;  // by a line from so far away that its tiles are not known
 };
 
 }  // namespace lepp

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "lepp/refine/refine.hpp"
 #include "lepp/terrain/greedy.hpp"
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/levels.hpp"
 #include "lepp/terrain/sample_space.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
@@ -76,8 +76,7 @@ void move_all(Mesh& mesh, auto place) {
 
 class Work {
  public:
-  Work(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
-       const NonobtuseTinOptions& options)
+  Work(const HeightGrid& grid, Tin tin, const NonobtuseTinOptions& options)
       : grid_(grid),
         options_(options),
         frame_(grid),
@@ -86,10 +85,6 @@ class Work {
     const auto [low, high] = std::ranges::minmax(tin_.heights);
     most_error_ = kept_error(options.max_error, interpolation_rounding(grid)) +
                   rounding_in_world * (high - low);
-    for (std::size_t i = 0; i < domain.fixed_heights.size(); ++i) {
-      const double height = domain.fixed_heights[i];
-      if (!std::isnan(height)) hard_.emplace(domain.pslg.points[i], height);
-    }
   }
 
   NonobtuseTin run() {
@@ -122,8 +117,7 @@ class Work {
   // Cuts of slanting sides are rounded, and samples on the pieces would be outside by as much: each
   // becomes a vertex.
   void cut_outline_at_samples() {
-    const std::vector<bool> is_hard = are_hard();
-    TerrainMesh terrain(grid_, std::move(tin_), is_hard);
+    TerrainMesh terrain(grid_, std::move(tin_));
     std::vector<TriangleId> work(terrain.mesh().triangle_count());
     for (std::size_t i = 0; i < work.size(); ++i) work[i] = TriangleId(i);
     while (!work.empty()) {  // ends: a sample becomes a vertex once
@@ -185,37 +179,17 @@ class Work {
   }
 
   double height_of(VertexId v) const {
-    const auto height = height_on_line(v);
-    return height ? *height : height_at(grid_, tin_.mesh.point(v));
-  }
-
-  // Of a vertex that cuts a line with heights of its own.
-  std::optional<double> height_on_line(VertexId v) const {
-    const VertexOrigin& origin = tin_.mesh.origin_of(v);
-    if (origin.kind != VertexOrigin::Kind::on_segment) return std::nullopt;
-    for (const SegmentId s : tin_.mesh.segments_of(SegmentSetId(origin.index))) {
-      const auto height = height_on(tin_.mesh.segments()[s.index()], tin_.mesh.point(v));
-      if (height) return height;
-    }
-    return std::nullopt;
-  }
-
-  // On a line that has heights of its own, between its ends.
-  std::optional<double> height_on(const Segment& s, Point p) const {
-    const Point a = tin_.mesh.point(s.a), b = tin_.mesh.point(s.b);
-    const auto low = hard_.find(a), high = hard_.find(b);
-    if (low == hard_.end() || high == hard_.end()) return std::nullopt;
-    const double part = std::clamp(dot(p - a, b - a) / squared_distance(a, b), 0.0, 1.0);
-    return low->second + part * (high->second - low->second);
+    const auto on_line = height_on_hard_line(tin_, v);
+    return on_line ? *on_line : height_at(grid_, tin_.mesh.point(v));
   }
 
   // Of the very triangles that the result has: where four corners are on a circle but for rounding,
   // those in grid space could be others.
-  bool is_error_kept() const { return measure_error(grid_, tin_).max <= most_error_; }
+  bool is_error_kept() const { return measure_error(grid_, tin_).elsewhere.max <= most_error_; }
 
   // True if there was a sample to insert.
   bool insert_samples() {
-    const TerrainError error = measure_error(grid_, tin_);
+    const LargestError error = measure_error(grid_, tin_).elsewhere;
     SimplifyOptions asked;
     asked.by = SimplifyBy::greedy;
     asked.max_error = options_.max_error;
@@ -225,8 +199,7 @@ class Work {
     std::vector<double> errors;
     const std::size_t before = tin_.mesh.vertex_count();
     make_delaunay(tin_.mesh);  // but for rounding it is
-    const std::vector<bool> is_hard = are_hard();
-    TerrainMesh terrain(grid_, std::move(tin_), is_hard, rounding_);
+    TerrainMesh terrain(grid_, std::move(tin_), rounding_);
     Levels levels(grid_, asked, ignored);
     greedy(terrain, levels, errors);
     if (terrain.mesh().vertex_count() == before) insert_worst(terrain, error);
@@ -234,18 +207,8 @@ class Work {
     return tin_.mesh.vertex_count() > before;
   }
 
-  // By vertex: its height is asked for by a line.
-  std::vector<bool> are_hard() const {
-    std::vector<bool> result;
-    for (std::size_t i = 0; i < tin_.mesh.vertex_count(); ++i) {
-      const VertexId v(i);
-      result.push_back(hard_.contains(tin_.mesh.point(v)) || height_on_line(v).has_value());
-    }
-    return result;
-  }
-
   // Another diagonal of four corners on a circle hides what is off: the sample itself mends both.
-  void insert_worst(TerrainMesh& terrain, const TerrainError& error) {
+  void insert_worst(TerrainMesh& terrain, const LargestError& error) {
     if (options_.max_vertices > 0 && terrain.mesh().vertex_count() >= options_.max_vertices) return;
     const std::uint32_t line = grid_.row_of_line(error.row);  // rows of lines: its own inverse
     const Locator locator(terrain.mesh());
@@ -262,14 +225,12 @@ class Work {
   double most_error_ = 0;
   Tin tin_;        // in grid space, but while it is refined
   Mesh in_frame_;  // the same, as refine() left it
-  std::map<Point, double> hard_;
 };
 
 }  // namespace
 
-NonobtuseTin make_nonobtuse(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
-                            const NonobtuseTinOptions& options) {
-  return Work(grid, domain, std::move(tin), options).run();
+NonobtuseTin make_nonobtuse(const HeightGrid& grid, Tin tin, const NonobtuseTinOptions& options) {
+  return Work(grid, std::move(tin), options).run();
 }
 
 }  // namespace lepp

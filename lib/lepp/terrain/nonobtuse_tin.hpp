@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lepp/terrain/height_grid.hpp"
-#include "lepp/terrain/terrain_domain.hpp"
 #include "lepp/terrain/tin.hpp"
 #include "lepp/triangulation/unfinished.hpp"
 
@@ -39,9 +38,8 @@ struct NonobtuseTin {
 /// Adds vertices to a TIN until no angle opposite a constrained edge is obtuse and every angle
 /// reaches the bound, and until the error is kept all the same: refine() and the insertion of
 /// samples that are off take turns. No vertex moves.
-/// \param tin  of simplify() with the same grid and domain
+/// \param tin  of simplify() with the same grid
 /// \pre   its mesh satisfies M1 to M6
-NonobtuseTin make_nonobtuse(const HeightGrid& grid, const TerrainDomain& domain, Tin tin,
-                            const NonobtuseTinOptions& options);
+NonobtuseTin make_nonobtuse(const HeightGrid& grid, Tin tin, const NonobtuseTinOptions& options);
 
 }  // namespace lepp

@@ -79,7 +79,7 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
   report.error = measure_error(grid, tin);
   report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
   note_angles(grid, tin, options.min_angle_deg, report.surface);
-  report.goal_reached = levels.is_kept(report.error.max) &&
+  report.goal_reached = levels.is_kept(report.error.elsewhere.max) &&
                         tin.mesh.vertex_count() <= options.max_vertices &&
                         std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
                           return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;

@@ -8,6 +8,7 @@
 
 #include "lepp/refine/refine.hpp"
 #include "lepp/terrain/height_grid.hpp"
+#include "lepp/terrain/sample_set.hpp"
 #include "lepp/terrain/surface_report.hpp"
 #include "lepp/terrain/terrain_domain.hpp"
 #include "lepp/terrain/tin.hpp"
@@ -69,6 +70,12 @@ inline double kept_error(double error, double rounding) {
   return error * (1 + 1e-9) + 4 * rounding;
 }
 
+/// Of some samples the largest |H - H*|, and where (row of the file).
+struct LargestError {
+  double max = 0;
+  std::uint32_t column = 0, row = 0;
+};
+
 /// How far a TIN is from its grid, over all samples with data, those on the rim included.
 struct TerrainError {
   double max = 0;                     ///< largest |H - H*|
@@ -78,10 +85,15 @@ struct TerrainError {
   std::size_t samples = 0;  ///< with data and in the mesh
   std::size_t lost = 0;     ///< with data, not in the mesh
   std::size_t covered = 0;  ///< without data, inside a triangle
+  /// Of the samples that lie on hard lines, whose heights are not the grid's to choose, and of all
+  /// others: what a bound can be kept for.
+  LargestError on_hard_lines, elsewhere;
+  std::size_t samples_on_hard_lines = 0;
 };
 
 struct SimplifyReport {
-  /// The error is kept, every angle but those that the input excuses, and the number of vertices.
+  /// The error is kept but on hard lines, every angle but those that the input excuses, and the
+  /// number of vertices.
   bool goal_reached = false;
   TerrainError error;
   std::vector<TerrainLevel> levels;  ///< the last one is the TIN itself
@@ -104,7 +116,10 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
              SimplifyReport& report);
 
 /// The error of any TIN of a grid, computed from nothing but the two, sample by sample, in double
-/// precision. The result does not depend on `threads`. Cost O(samples + triangles).
-TerrainError measure_error(const HeightGrid& grid, const Tin& tin, unsigned threads = 2);
+/// precision. The result does not depend on `threads`.
+/// \param inside  given: samples that are not in it are not lost (samples_inside.hpp)
+/// Cost O(samples + triangles)
+TerrainError measure_error(const HeightGrid& grid, const Tin& tin,
+                           const SampleSet* inside = nullptr, unsigned threads = 2);
 
 }  // namespace lepp

@@ -24,6 +24,16 @@ bool StarFilling::fill(const AngleTest& angle) {
   return true;
 }
 
+Sides StarFilling::hard_sides(const std::array<std::size_t, 3>& triangle) const {
+  std::uint32_t sides = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t from = triangle[(i + 1) % 3], to = triangle[(i + 2) % 3];
+    const bool is_rim = to == (from + 1 == corners_.size() ? 0 : from + 1);
+    if (is_rim && corners_[from].hard) sides |= 1U << i;
+  }
+  return static_cast<Sides>(sides);
+}
+
 bool StarFilling::is_ear(std::size_t before, std::size_t at, std::size_t after) const {
   const Point a = corners_[before].place, b = corners_[at].place, c = corners_[after].place;
   if (orient2d(a, b, c) <= 0) return false;

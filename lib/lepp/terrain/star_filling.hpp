@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lepp/refine/angle_test.hpp"
-#include "lepp/terrain/sample_space.hpp"
+#include "lepp/terrain/triangle_scan.hpp"
 
 namespace lepp {
 
@@ -23,6 +23,7 @@ class StarFilling {
   struct Corner {
     Point place;
     TerrainCorner terrain;
+    bool hard = false;  ///< the side to the next corner: scans pass over its samples
   };
 
   std::vector<Corner>& corners() { return corners_; }
@@ -31,6 +32,8 @@ class StarFilling {
   /// \return false, and nothing useful, if a triangle has an angle below the bound, or the hole
   ///         cannot be filled
   bool fill(const AngleTest& angle);
+  /// The hard sides of a triangle of corners, for scans.
+  Sides hard_sides(const std::array<std::size_t, 3>& triangle) const;
   /// Corners of the triangles, as indices.
   std::span<const std::array<std::size_t, 3>> triangles() const { return triangles_; }
 

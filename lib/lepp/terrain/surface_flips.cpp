@@ -60,9 +60,9 @@ bool SurfaceFlips::breaks_error(HalfEdge e) const {
   const Mesh& mesh = terrain_.mesh();
   const HalfEdge f = *mesh.twin(e);
   const double most = std::max({error_, terrain_.error(e.triangle), terrain_.error(f.triangle)});
-  const TerrainCorner a = terrain_.corner(mesh.origin(e)), b = terrain_.corner(mesh.destination(e)),
-                      c = terrain_.corner(mesh.apex(e)), d = terrain_.corner(mesh.apex(f));
-  return !terrain_.scan().is_within({c, a, d}, most) || !terrain_.scan().is_within({d, b, c}, most);
+  return std::ranges::any_of(terrain_.flipped(e), [&](const TerrainMesh::Seen& t) {
+    return !terrain_.scan().is_within(t.corners, most, t.hard);
+  });
 }
 
 bool SurfaceFlips::is_to_flip(HalfEdge e) const {

@@ -125,7 +125,8 @@ double SurfaceRepair::error_of_star(Point p) const {
   for (const auto& side : star_.link) {
     const TerrainCorner a = terrain_.corner(mesh_.origin(side.edge)),
                         b = terrain_.corner(mesh_.destination(side.edge));
-    worst = std::max(worst, terrain_.scan().worst({center, a, b}).error);
+    const Sides hard = terrain_.hard_side(side.edge, 0);
+    worst = std::max(worst, terrain_.scan().worst({center, a, b}, hard).error);
   }
   return worst;
 }

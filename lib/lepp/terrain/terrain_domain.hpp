@@ -40,6 +40,9 @@ struct TerrainDomain {
   /// Heights that hard breaklines ask for, one per point of `pslg`; NaN: the grid's. Where a line
   /// crosses another line or the outline, its height there; of two hard lines, that of the first.
   std::vector<double> fixed_heights;
+  /// One per segment of `pslg`, or empty: the heights along it are asked for, linear between those
+  /// of its ends. Segments of the outline can be hard, too, and soft ones can join hard points.
+  std::vector<bool> hard_segments = {};
   /// One per point of `pslg`, or empty: sides of the domain between two points marked here are
   /// never cut, so that the mesh beyond, of another tile, can end at the same vertices.
   std::vector<bool> kept_border = {};

@@ -8,7 +8,6 @@
 
 #include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/straight_walk.hpp"
-#include "lepp/triangulation/constrained_delaunay.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
@@ -64,42 +63,45 @@ std::vector<std::uint32_t> triangles_by_last_corner(const Mesh& mesh) {
 
 }  // namespace
 
-TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
-    : grid_(grid), space_(grid), scan_(grid) {
-  Triangulation start =
-      constrained_delaunay(domain.pslg, {.crossings = Crossings::split, .threads = 1});
-  state_.tin.mesh = std::move(start.mesh);
-  state_.kept.assign(mesh().vertex_count(), 0);
-  state_.hard.assign(mesh().vertex_count(), 0);
-  state_.tin.heights.resize(mesh().vertex_count());
-  for (std::size_t i = 0; i < mesh().vertex_count(); ++i) {
-    state_.tin.heights[i] = height_of(mesh().point(VertexId(i)));
-  }
-  for (std::size_t i = 0; i < domain.pslg.points.size(); ++i) {
-    const auto v = start.report.vertex_of_point[i];
-    if (!v) continue;
-    if (!domain.kept_border.empty() && domain.kept_border[i]) state_.kept[v->index()] = 1;
-    if (domain.fixed_heights.empty() || std::isnan(domain.fixed_heights[i])) continue;
-    state_.hard[v->index()] = 1;
-    state_.tin.heights[v->index()] = domain.fixed_heights[i];
-  }
-  state_.worst.resize(mesh().triangle_count());
-  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
-}
-
-TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard,
-                         double rounding)
-    : grid_(grid), space_(grid), scan_(grid), on_line_(std::max(2 * same_place, 4 * rounding)) {
+// What a scan passes over is all that insert() would refuse: corners of scans are moved to samples
+// that they are at.
+TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, double rounding)
+    : grid_(grid),
+      space_(grid),
+      on_line_(std::max(2 * same_place, 4 * rounding)),
+      scan_(grid, on_line_ + same_place * std::max(1.0, grid.aspect())) {
   state_.tin = std::move(tin);
   state_.kept.assign(mesh().vertex_count(), 0);
-  state_.hard.assign(is_hard.begin(), is_hard.end());
+  if (!state_.tin.heights.empty()) scan_all();
+}
+
+TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
+    : TerrainMesh(grid, Tin()) {
+  HardTriangulation start =
+      triangulate_lines(domain.pslg, domain.fixed_heights, domain.hard_segments);
+  Tin& tin = state_.tin;
+  tin = {std::move(start.mesh), std::move(start.heights), std::move(start.hard_segments)};
+  for (std::size_t i = 0; i < tin.heights.size(); ++i) {
+    if (std::isnan(tin.heights[i])) tin.heights[i] = height_of(mesh().point(VertexId(i)));
+  }
+  state_.kept.assign(mesh().vertex_count(), 0);
+  for (std::size_t i = 0; i < domain.kept_border.size(); ++i) {
+    const auto v = start.vertex_of_point[i];
+    if (v && domain.kept_border[i]) state_.kept[v->index()] = 1;
+  }
+  scan_all();
+}
+
+void TerrainMesh::scan_all() {
   state_.worst.resize(mesh().triangle_count());
   for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
 void TerrainMesh::scan_triangle(TriangleId t) {
   const auto& [a, b, c] = mesh().vertices(t);
-  state_.worst[t.index()] = scan_.worst_or_bad({corner(a), corner(b), corner(c)}, enough_);
+  Sides hard = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) hard |= hard_side({t, i}, i);
+  state_.worst[t.index()] = scan_.worst_or_bad({corner(a), corner(b), corner(c)}, enough_, hard);
 }
 
 void TerrainMesh::rescan(std::span<const TriangleId> changed) {
@@ -123,21 +125,37 @@ void TerrainMesh::choose_diagonals(std::vector<TriangleId>& changed, double limi
   }
 }
 
+// Edge e leads from a to b, with apex c; beyond it d:
+//
+//      c           c            the two then have the corners c a d and d b c
+//     / \         /|\ .
+//    a-e-b  -->  a | b
+//     \ /         \|/
+//      d           d
+std::array<TerrainMesh::Seen, 2> TerrainMesh::flipped(HalfEdge e) const {
+  const HalfEdge f = *mesh().twin(e);
+  const TerrainCorner a = corner(mesh().origin(e)), b = corner(mesh().destination(e));
+  const TerrainCorner c = corner(mesh().apex(e)), d = corner(mesh().apex(f));
+  const auto sides = [&](HalfEdge opposite_first, HalfEdge opposite_last) {
+    return static_cast<Sides>(hard_side(opposite_first, 0) | hard_side(opposite_last, 2));
+  };
+  return {Seen{{c, a, d}, sides(next_edge(f), previous_edge(e))},
+          Seen{{d, b, c}, sides(next_edge(e), previous_edge(f))}};
+}
+
 // Flips `e` if both diagonals are Delaunay and the other one is off less.
 bool TerrainMesh::choose_diagonal(HalfEdge e) {
   const HalfEdge f = *mesh().twin(e);
-  const VertexId a = mesh().origin(e), b = mesh().destination(e);
-  const VertexId c = mesh().apex(e), d = mesh().apex(f);
-  if (incircle(mesh().point(a), mesh().point(b), mesh().point(c), mesh().point(d)) != 0)
-    return false;
+  const Point a = mesh().point(mesh().origin(e)), b = mesh().point(mesh().destination(e));
+  if (incircle(a, b, mesh().point(mesh().apex(e)), mesh().point(mesh().apex(f))) != 0) return false;
   const double now = std::max(error(e.triangle), error(f.triangle));
-  const TerrainCorner at_c = corner(c), at_d = corner(d);
-  if (!scan_.is_within({at_c, corner(a), at_d}, now) ||
-      !scan_.is_within({at_d, corner(b), at_c}, now)) {
+  const auto [one, other] = flipped(e);
+  if (!scan_.is_within(one.corners, now, one.hard) ||
+      !scan_.is_within(other.corners, now, other.hard)) {
     return false;
   }
-  const double then = std::max(scan_.worst({at_c, corner(a), at_d}).error,
-                               scan_.worst({at_d, corner(b), at_c}).error);
+  const double then = std::max(scan_.worst(one.corners, one.hard).error,
+                               scan_.worst(other.corners, other.hard).error);
   if (!(then < now) || !is_flippable(mesh(), e)) return false;
   const TriangleId pair[] = {e.triangle, f.triangle};
   flip(mesh(), e);
@@ -169,11 +187,6 @@ std::optional<Point> TerrainMesh::sample_inside(HalfEdge e, double part) const {
   return near;
 }
 
-bool TerrainMesh::is_hard(HalfEdge e) const {
-  return mesh().is_constrained(e) && state_.hard[mesh().origin(e).index()] != 0 &&
-         state_.hard[mesh().destination(e).index()] != 0;
-}
-
 // An outline may lead from one side of the grid to another: its ends are kept, it is not.
 bool TerrainMesh::may_cut(HalfEdge e) const {
   const VertexId from = mesh().origin(e), to = mesh().destination(e);
@@ -199,33 +212,11 @@ bool TerrainMesh::may_cut_with_fan(HalfEdge e) const {
 
 void TerrainMesh::add_heights() {
   for (std::size_t i = state_.tin.heights.size(); i < mesh().vertex_count(); ++i) {
-    state_.tin.heights.push_back(height_of(mesh().point(VertexId(i))));
+    const VertexId v(i);
+    const auto on_line = height_on_hard_line(state_.tin, v);
+    state_.tin.heights.push_back(on_line ? *on_line : height_of(mesh().point(v)));
     state_.kept.push_back(0);
-    state_.hard.push_back(0);
-    if (mesh().origin_of(VertexId(i)).kind == VertexOrigin::Kind::on_segment)
-      put_on_line(VertexId(i));
   }
-}
-
-// A vertex that cuts a line with heights of its own gets one between those of its neighbours there.
-void TerrainMesh::put_on_line(VertexId v) {
-  std::array<std::optional<VertexId>, 2> hard;
-  for_each_in_fan(mesh(), v, [&](TriangleId t, std::uint32_t corner) {
-    const HalfEdge out{t, previous_corner(corner)}, in{t, next_corner(corner)};
-    const auto note = [&](HalfEdge e, VertexId end) {
-      if (!mesh().is_constrained(e) || state_.hard[end.index()] == 0) return;
-      if (!hard[0] || *hard[0] == end) hard[0] = end;
-      else hard[1] = end;
-    };
-    note(out, mesh().destination(out));
-    note(in, mesh().origin(in));
-  });
-  if (!hard[1]) return;
-  const Point a = mesh().point(*hard[0]), b = mesh().point(*hard[1]);
-  const double low = state_.tin.heights[hard[0]->index()],
-               high = state_.tin.heights[hard[1]->index()];
-  state_.tin.heights[v.index()] = low + (high - low) * part_of_way(a, b, mesh().point(v));
-  state_.hard[v.index()] = 1;
 }
 
 bool TerrainMesh::insert(TriangleId t, Sample s, std::vector<TriangleId>& changed) {
@@ -255,7 +246,6 @@ Removal TerrainMesh::remove(VertexId v, double limit) {
   };
   take_place(state_.tin.heights);
   take_place(state_.kept);
-  take_place(state_.hard);
   for (const auto& move : removal.moved_triangles) {
     state_.worst[move.to.index()] = state_.worst[move.from.index()];
   }
@@ -272,7 +262,6 @@ void TerrainMesh::renumber(std::size_t first) {
   }
   rearrange(state_.tin.heights, order);
   rearrange(state_.kept, order);
-  rearrange(state_.hard, order);
   mesh().renumber_vertices(inverse(order));
   const std::vector<std::uint32_t> triangles = triangles_by_last_corner(mesh());
   rearrange(state_.worst, triangles);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "lepp/terrain/hard_lines.hpp"
 #include "lepp/terrain/sample_space.hpp"
 #include "lepp/terrain/terrain_domain.hpp"
 #include "lepp/terrain/tin.hpp"
@@ -23,10 +25,8 @@ class TerrainMesh {
   /// The domain's own triangulation.
   TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain);
   /// A TIN that exists.
-  /// \param is_hard   by vertex: its height is asked for by a line
   /// \param rounding  how far vertices on lines may be off them, in cells
-  TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard,
-              double rounding = 0);
+  TerrainMesh(const HeightGrid& grid, Tin tin, double rounding = 0);
 
   const Mesh& mesh() const { return state_.tin.mesh; }
   Mesh& mesh() { return state_.tin.mesh; }
@@ -40,7 +40,6 @@ class TerrainMesh {
   struct State {
     Tin tin;
     std::vector<std::uint8_t> kept;  ///< by vertex: the ends of edges that may not be cut
-    std::vector<std::uint8_t> hard;  ///< by vertex: its height is asked for by a line
     std::vector<WorstSample> worst;  ///< by triangle
   };
   State save() const { return state_; }
@@ -69,7 +68,19 @@ class TerrainMesh {
   /// The same for a cut by split_constrained_edge(), which cuts all edges of a fan.
   bool may_cut_with_fan(HalfEdge e) const;
   /// True if the height of each place on `e` is asked for by a line.
-  bool is_hard(HalfEdge e) const;
+  bool is_hard(HalfEdge e) const { return lepp::is_hard(state_.tin, e); }
+  /// For scans: side `i` of a triangle if `e` is there and hard, else none.
+  Sides hard_side(HalfEdge e, std::uint32_t i) const {
+    return static_cast<Sides>(is_hard(e) ? 1U << i : 0U);
+  }
+
+  /// A triangle as scans see it.
+  struct Seen {
+    std::array<TerrainCorner, 3> corners;
+    Sides hard;
+  };
+  /// The two triangles that a flip of `e` would make.
+  std::array<Seen, 2> flipped(HalfEdge e) const;
 
   /// The constrained edge of `t` that `p`, a place in it, lies on up to rounding.
   std::optional<HalfEdge> constrained_edge_at(TriangleId t, Point p) const;
@@ -111,19 +122,19 @@ class TerrainMesh {
   void set_height(VertexId v) { state_.tin.heights[v.index()] = height_of(mesh().point(v)); }
 
  private:
+  void scan_all();
   void scan_triangle(TriangleId t);
   bool choose_diagonal(HalfEdge e);
   bool is_on(HalfEdge e, Point p) const;
-  void put_on_line(VertexId v);
   bool cut_at(HalfEdge e, Point p, std::vector<TriangleId>& changed);
 
   const HeightGrid& grid_;
   SampleSpace space_;
-  TriangleScan scan_;
-  State state_;
   // How near to a line, in cells, a sample is on it: crossings of sides with lines of samples are
   // rounded, and twice as far stays clear of that.
-  double on_line_ = 2 * same_place;
+  double on_line_;
+  TriangleScan scan_;
+  State state_;
   double enough_ = std::numeric_limits<double>::infinity();
   Cavity cavity_;
 };

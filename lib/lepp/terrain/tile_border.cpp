@@ -89,8 +89,16 @@ class Borders {
   void fix(const Side& side, const Samples& corners) {
     const Samples samples = border_samples(side.heights, max_error_, corners);
     std::vector<Segment> segments;
-    for (const Segment& s : domain_.pslg.segments) cut(s, side, samples, segments);
+    std::vector<bool> hard;
+    for (std::size_t i = 0; i < domain_.pslg.segments.size(); ++i) {
+      const std::size_t before = segments.size();
+      cut(domain_.pslg.segments[i], side, samples, segments);
+      const bool is_whole = segments.size() == before + 1;  // else its heights are the border's
+      if (!domain_.hard_segments.empty())
+        hard.resize(segments.size(), is_whole && domain_.hard_segments[i]);
+    }
     domain_.pslg.segments = std::move(segments);
+    domain_.hard_segments = std::move(hard);
   }
 
  private:

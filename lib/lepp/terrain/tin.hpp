@@ -11,6 +11,10 @@ namespace lepp {
 struct Tin {
   Mesh mesh;
   std::vector<double> heights;  ///< one per vertex
+  /// By segment of the mesh (Mesh::segments()): a line asks for the heights along it, which are
+  /// linear from end to end. Empty: none does. Segments stay what they are while vertices come, go,
+  /// move to the world and get other numbers (hard_lines.hpp).
+  std::vector<bool> hard_segments = {};
 };
 
 }  // namespace lepp

@@ -54,13 +54,15 @@ bool TinCleanUp::can_do_without(VertexId v) {
 bool TinCleanUp::collect_link(VertexId v) {
   auto& corners = filling_.corners();
   corners.clear();
-  const auto add = [&](VertexId c) { corners.push_back({mesh_.point(c), terrain_.corner(c)}); };
+  const auto add = [&](VertexId c, HalfEdge to_next) {
+    corners.push_back({mesh_.point(c), terrain_.corner(c), terrain_.is_hard(to_next)});
+  };
   bool simple = true;
   for_each_in_fan(mesh_, v, [&](TriangleId t, std::uint32_t corner) {
     const HalfEdge out{t, previous_corner(corner)}, in{t, next_corner(corner)};
     simple = !mesh_.is_constrained(out) || mesh_.is_boundary(out);
-    add(mesh_.destination(out));
-    if (mesh_.is_boundary(in)) add(mesh_.origin(in));
+    add(mesh_.destination(out), {t, corner});
+    if (mesh_.is_boundary(in)) add(mesh_.origin(in), in);  // in its place the side will be whole
     return simple && corners.size() <= most_corners;
   });
   if (!simple || corners.size() < 3 || corners.size() > most_corners) return false;
@@ -84,12 +86,12 @@ bool TinCleanUp::is_filling_within_bounds(VertexId v) const {
     return std::ranges::all_of(filling_.triangles(), [&](const std::array<std::size_t, 3>& t) {
       const std::array<TerrainCorner, 3> triangle{corners[t[0]].terrain, corners[t[1]].terrain,
                                                   corners[t[2]].terrain};
-      return is_within(triangle);
+      return is_within(triangle, filling_.hard_sides(t));
     });
   };
   const TerrainCorner suspect = terrain_.corner(v);
-  return all([&](const auto& t) { return scan.is_within_at(t, suspect, error_); }) &&
-         all([&](const auto& t) { return scan.is_within(t, error_); });
+  return all([&](const auto& t, Sides) { return scan.is_within_at(t, suspect, error_); }) &&
+         all([&](const auto& t, Sides hard) { return scan.is_within(t, error_, hard); });
 }
 
 Removal TinCleanUp::remove(VertexId v) {
@@ -188,7 +190,8 @@ bool TinCleanUp::is_star_within_bounds(Point p) {
   auto& rim = filling_.corners();
   rim.clear();
   for (const auto& side : star_.link) {
-    rim.push_back({side.from, terrain_.corner(mesh_.origin(side.edge))});
+    const bool hard = terrain_.is_hard(side.edge);
+    rim.push_back({side.from, terrain_.corner(mesh_.origin(side.edge)), hard});
   }
   std::size_t delaunay = 0;  // so many spokes in a row are
   for (std::size_t i = 0; delaunay < rim.size() && rim.size() > 3;) {
@@ -200,7 +203,9 @@ bool TinCleanUp::is_star_within_bounds(Point p) {
       i = after;
       continue;
     }
-    if (!terrain_.scan().is_within({a.terrain, b.terrain, c.terrain}, error_)) return false;
+    const auto hard = static_cast<Sides>((b.hard ? 1U : 0U) | (a.hard ? 4U : 0U));
+    if (!terrain_.scan().is_within({a.terrain, b.terrain, c.terrain}, error_, hard)) return false;
+    rim[before].hard = false;
     rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(i));
     i = i == 0 ? rim.size() - 1 : i - 1;
     delaunay = 0;
@@ -215,16 +220,17 @@ bool TinCleanUp::is_center_within_bounds(Point p) const {
   const auto all = [&](const auto& is_within) {
     for (std::size_t i = 0; i < rim.size(); ++i) {
       const auto& next = rim[i + 1 == rim.size() ? 0 : i + 1];
-      if (!is_within({center, rim[i].terrain, next.terrain})) return false;
+      const auto hard = static_cast<Sides>(rim[i].hard ? 1U : 0U);
+      if (!is_within({center, rim[i].terrain, next.terrain}, hard)) return false;
     }
     return true;
   };
   using Corners = std::array<TerrainCorner, 3>;
-  return all([&](const Corners& t) {
+  return all([&](const Corners& t, Sides) {
            return scan.is_within_at(t, suspects_[0], error_) &&
                   scan.is_within_at(t, suspects_[1], error_);
          }) &&
-         all([&](const Corners& t) { return scan.is_within(t, error_); });
+         all([&](const Corners& t, Sides hard) { return scan.is_within(t, error_, hard); });
 }
 
 void TinCleanUp::replace_both(VertexId v, VertexId w, Point p) {

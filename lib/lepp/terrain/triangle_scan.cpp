@@ -95,39 +95,44 @@ double largest_error(const Height* heights, double base, const ScanSpan& span) {
   return largest_of(heights, span.last - span.first + 1, base, span.height, span.slope);
 }
 
-// True if a sample that is no corner is off by more than `limit`.
-template <class Height>
-bool has_other(const Height* heights, double base, const ScanSpan& span,
-               const std::array<TerrainCorner, 3>& corners, double limit) {
-  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
-    if (error_at(above(base, heights[i]), span.height, span.slope, i) > limit &&
-        !is_corner(corners, {span.first + i, span.line})) {
-      return true;
-    }
+}  // namespace
+
+bool TriangleScan::is_on_side(const TerrainCorner& a, const TerrainCorner& b, Sample s) const {
+  const double aspect = grid_.aspect();
+  const Point p{a.column, a.line * aspect}, q{b.column, b.line * aspect};
+  const Point at = grid_.sample(s.column, s.line);
+  const double part = std::clamp(dot(at - p, q - p) / squared_distance(p, q), 0.0, 1.0);
+  return squared_distance(at, p + part * (q - p)) <= on_line_ * on_line_;
+}
+
+bool TriangleScan::is_on_hard_side(const std::array<TerrainCorner, 3>& corners, Sides hard,
+                                   Sample s) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_hard = (hard >> i & 1U) != 0;
+    if (is_hard && is_on_side(corners[(i + 1) % 3], corners[(i + 2) % 3], s)) return true;
   }
   return false;
 }
 
-}  // namespace
-
-WorstSample TriangleScan::worst(const std::array<TerrainCorner, 3>& corners) const {
-  return grid_.heights.visit([&](auto heights) { return worst_of_lines(heights, corners, 1); });
+WorstSample TriangleScan::worst(const std::array<TerrainCorner, 3>& corners, Sides hard) const {
+  return grid_.heights.visit(
+      [&](auto heights) { return worst_of_lines(heights, corners, hard, 1); });
 }
 
-WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners,
-                                       double enough) const {
+WorstSample TriangleScan::worst_or_bad(const std::array<TerrainCorner, 3>& corners, double enough,
+                                       Sides hard) const {
   const auto [low, high] = std::minmax({corners[0].line, corners[1].line, corners[2].line});
   if (high - low >= many_lines) {
     const WorstSample some = grid_.heights.visit(
-        [&](auto heights) { return worst_of_lines(heights, corners, lines_between); });
+        [&](auto heights) { return worst_of_lines(heights, corners, hard, lines_between); });
     if (some.error > enough) return some;
   }
-  return worst(corners);
+  return worst(corners, hard);
 }
 
 template <class Height>
 WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
-                                         const std::array<TerrainCorner, 3>& corners,
+                                         const std::array<TerrainCorner, 3>& corners, Sides hard,
                                          std::int64_t step) const {
   WorstSample worst;
   const double base = base_of<Height>(corners);
@@ -136,8 +141,10 @@ WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
     if (is_long(span) && !(largest_error(along, base, span) > worst.error)) return true;
     for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
       const double error = error_at(above(base, along[i]), span.height, span.slope, i);
-      if (error > worst.error && !is_corner(corners, {span.first + i, span.line})) {
-        worst = {error, {span.first + i, span.line}};
+      const Sample s{span.first + i, span.line};
+      if (error > worst.error && !is_corner(corners, s) &&
+          (hard == 0 || !is_on_hard_side(corners, hard, s))) {
+        worst = {error, s};
       }
     }
     return true;
@@ -146,19 +153,37 @@ WorstSample TriangleScan::worst_of_lines(std::span<const Height> heights,
   return worst;
 }
 
-bool TriangleScan::is_within(const std::array<TerrainCorner, 3>& corners, double limit) const {
-  return grid_.heights.visit([&](auto heights) { return all_within(heights, corners, limit); });
+bool TriangleScan::is_within(const std::array<TerrainCorner, 3>& corners, double limit,
+                             Sides hard) const {
+  return grid_.heights.visit(
+      [&](auto heights) { return all_within(heights, corners, limit, hard); });
+}
+
+// True if a sample that is not passed over is off by more than `limit`.
+template <class Height>
+bool TriangleScan::has_other(const Height* heights, double base, const ScanSpan& span,
+                             const std::array<TerrainCorner, 3>& corners, double limit,
+                             Sides hard) const {
+  for (std::uint32_t i = 0; i <= span.last - span.first; ++i) {
+    const Sample s{span.first + i, span.line};
+    if (error_at(above(base, heights[i]), span.height, span.slope, i) > limit &&
+        !is_corner(corners, s) && (hard == 0 || !is_on_hard_side(corners, hard, s))) {
+      return true;
+    }
+  }
+  return false;
 }
 
 template <class Height>
 bool TriangleScan::all_within(std::span<const Height> heights,
-                              const std::array<TerrainCorner, 3>& corners, double limit) const {
+                              const std::array<TerrainCorner, 3>& corners, double limit,
+                              Sides hard) const {
   bool within = true;
   const double base = base_of<Height>(corners);
   spans_(above(base, corners), [&](const ScanSpan& span) {
     const Height* const along = part(heights, span);
     const bool suspect = !is_long(span) || largest_error(along, base, span) > limit;
-    within = !suspect || !has_other(along, base, span, corners, limit);
+    within = !suspect || !has_other(along, base, span, corners, limit, hard);
     return within;
   });
   return within;

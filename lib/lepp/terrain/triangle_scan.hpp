@@ -107,21 +107,28 @@ void TriangleSpans::operator()(std::array<TerrainCorner, 3> corners, Visit visit
   }
 }
 
+/// Sides of a triangle: bit i is that opposite corner i.
+using Sides = std::uint8_t;
+
 /// Finds the worst sample of triangles above a grid. Samples without data are passed over, and so
-/// are those at a corner: what a vertex is off by, no other vertex can mend.
+/// are those at a corner: what a vertex is off by, no other vertex can mend. The same holds for
+/// those on `hard` sides, whose heights are not the grid's: no vertex may come there.
 class TriangleScan {
  public:
-  explicit TriangleScan(const HeightGrid& grid) : grid_(grid), spans_(grid) {}
+  /// \param on_line  how near to a hard side a sample is on it, in grid space
+  explicit TriangleScan(const HeightGrid& grid, double on_line = 2 * same_place)
+      : grid_(grid), spans_(grid), on_line_(on_line) {}
 
   /// Of equal errors the southernmost and westernmost sample. Cost O(samples + lines)
-  WorstSample worst(const std::array<TerrainCorner, 3>& corners) const;
+  WorstSample worst(const std::array<TerrainCorner, 3>& corners, Sides hard = 0) const;
 
   /// The same, but of a large triangle the worst sample of some of its lines, if that is off by
   /// more than `enough`: it then has to be divided anyway.
-  WorstSample worst_or_bad(const std::array<TerrainCorner, 3>& corners, double enough) const;
+  WorstSample worst_or_bad(const std::array<TerrainCorner, 3>& corners, double enough,
+                           Sides hard = 0) const;
 
   /// True if no sample of the triangle is off by more than `limit`; ends at the first that is.
-  bool is_within(const std::array<TerrainCorner, 3>& corners, double limit) const;
+  bool is_within(const std::array<TerrainCorner, 3>& corners, double limit, Sides hard = 0) const;
 
   /// False if `s` is in the triangle and off by more than `limit`: a quick look at a suspect.
   bool is_within_at(const std::array<TerrainCorner, 3>& corners, const TerrainCorner& s,
@@ -134,13 +141,20 @@ class TriangleScan {
   }
   template <class Height>
   WorstSample worst_of_lines(std::span<const Height> heights,
-                             const std::array<TerrainCorner, 3>& corners, std::int64_t step) const;
+                             const std::array<TerrainCorner, 3>& corners, Sides hard,
+                             std::int64_t step) const;
   template <class Height>
   bool all_within(std::span<const Height> heights, const std::array<TerrainCorner, 3>& corners,
-                  double limit) const;
+                  double limit, Sides hard) const;
+  template <class Height>
+  bool has_other(const Height* heights, double base, const ScanSpan& span,
+                 const std::array<TerrainCorner, 3>& corners, double limit, Sides hard) const;
+  bool is_on_hard_side(const std::array<TerrainCorner, 3>& corners, Sides hard, Sample s) const;
+  bool is_on_side(const TerrainCorner& a, const TerrainCorner& b, Sample s) const;
 
   const HeightGrid& grid_;
   TriangleSpans spans_;
+  double on_line_;
 };
 
 }  // namespace lepp
