@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -83,8 +84,7 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
     state_.hard[v->index()] = 1;
     state_.tin.heights[v->index()] = domain.fixed_heights[i];
   }
-  state_.worst.resize(mesh().triangle_count());
-  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
+  rescan_all();
 }
 
 TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool>& is_hard,
@@ -93,8 +93,7 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, const std::vector<bool
   state_.tin = std::move(tin);
   state_.kept.assign(mesh().vertex_count(), 0);
   state_.hard.assign(is_hard.begin(), is_hard.end());
-  state_.worst.resize(mesh().triangle_count());
-  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
+  rescan_all();
 }
 
 void TerrainMesh::scan_triangle(TriangleId t) {
@@ -105,6 +104,11 @@ void TerrainMesh::scan_triangle(TriangleId t) {
 void TerrainMesh::rescan(std::span<const TriangleId> changed) {
   state_.worst.resize(mesh().triangle_count());
   for (const TriangleId t : changed) scan_triangle(t);
+}
+
+void TerrainMesh::rescan_all() {
+  state_.worst.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
 void TerrainMesh::choose_diagonals(std::vector<TriangleId>& changed, double limit) {
@@ -248,7 +252,9 @@ bool TerrainMesh::insert_inside(TriangleId t, Point p, std::vector<TriangleId>& 
 }
 
 Removal TerrainMesh::remove(VertexId v, double limit) {
-  Removal removal = *remove_vertex(mesh(), v);
+  std::optional<Removal> removed = remove_vertex(mesh(), v);
+  assert(removed);
+  Removal removal = std::move(*removed);
   const auto take_place = [&](auto& of_vertices) {
     of_vertices[v.index()] = of_vertices.back();
     of_vertices.pop_back();
