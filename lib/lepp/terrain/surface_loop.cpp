@@ -30,6 +30,7 @@ SurfaceLoop::SurfaceLoop(TerrainMesh& terrain, double min_angle_deg, std::functi
 
 void SurfaceLoop::run(double error, std::size_t vertices) {
   most_vertices_ = vertices;
+  editor_.set_most_vertices(vertices);
   start(error);
   while (mesh_.vertex_count() < most_vertices_ && may_go_on() && take_turn()) {
   }
