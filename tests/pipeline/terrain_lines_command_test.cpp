@@ -27,10 +27,12 @@ TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") 
   }
   const Outcome hard =
       run(folder.path(), "terrain " + hill() +
-                             " -o h.obj --max-error 5 --clip "
-                             "clip.geojson --breaklines dyke.geojson --allow-unfinished");
+                             " -o h.obj --max-error 5 --clip clip.geojson --breaklines "
+                             "dyke.geojson --allow-unfinished --json -");
   CAPTURE(hard.out);
-  CHECK((hard.status == 0 || hard.status == 3));
+  const Json report = Json::parse(hard.out);
+  CHECK(report["valid"] == true);
+  CHECK(hard.status == (report["error"]["max"] <= 5 + 1e-9 ? 0 : 3));
   const ObjTin dyke = read_obj(folder / "h.obj");
   CHECK(std::ranges::count_if(dyke.vertices, [](const Place& v) { return v[2] == 800; }) >= 2);
 }
