@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "lepp/terrain/grid_part.hpp"
 #include "terrain_options.hpp"
 #include "terrain_run.hpp"
 

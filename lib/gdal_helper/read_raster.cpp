@@ -5,7 +5,6 @@
 #include <new>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "gdal_failure.hpp"

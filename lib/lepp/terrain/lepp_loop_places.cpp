@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/terrain/lepp_loop.hpp"
 #include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
-#include "lepp/triangulation/split.hpp"
 #include "lepp/triangulation/split_constrained.hpp"
 
 namespace lepp {

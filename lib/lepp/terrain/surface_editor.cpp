@@ -1,9 +1,7 @@
 #include "lepp/terrain/surface_editor.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/locate.hpp"

@@ -1,7 +1,5 @@
 #include "lepp/terrain/surface_loop.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "lepp/terrain/terrain_errors.hpp"

@@ -6,7 +6,6 @@
 #include <optional>
 #include <queue>
 #include <span>
-#include <vector>
 
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/terrain/best_place.hpp"

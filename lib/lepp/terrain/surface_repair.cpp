@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/encroached.hpp"

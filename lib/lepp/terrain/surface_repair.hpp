@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <optional>
-#include <vector>
 
 #include "lepp/refine/feasible_place.hpp"
 #include "lepp/refine/off_centre.hpp"
