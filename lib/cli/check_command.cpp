@@ -1,4 +1,3 @@
-#include <chrono>
 #include <memory>
 
 #include "commands.hpp"
@@ -8,6 +7,7 @@
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
 #include "outputs.hpp"
+#include "stopwatch.hpp"
 
 namespace lepp::cli {
 
@@ -34,25 +34,22 @@ std::vector<Unfinished> forced(const Mesh& mesh, double min_angle_deg) {
 }
 
 int run(CheckCommand& command) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
+  const auto start = Clock::now();
   check_report_target(command.json, {command.mesh});
   RunReport report;
   report.input = command.mesh.string();
   Mesh mesh = read_mesh(command.mesh, report.warnings).mesh;
   join_segments_in_line(mesh);  // a file does not tell Steiner points from those of the input
-  report.seconds.read = seconds();
+  report.seconds.read = seconds_since(start);
   if (command.min_angle_deg > 0) {
     command.claims.min_angle_deg = command.min_angle_deg;
     command.claims.unfinished = forced(mesh, command.min_angle_deg);
     report.below_bound = count_reasons(command.claims.unfinished);
   }
   const MeshReport checked = validate(mesh, command.claims);
-  report.seconds.check = seconds() - report.seconds.read;
+  report.seconds.check = seconds_since(start) - report.seconds.read;
   const Certificate certificate = certify(mesh);
-  report.seconds.voronoi = seconds() - report.seconds.read - report.seconds.check;
+  report.seconds.voronoi = seconds_since(start) - report.seconds.read - report.seconds.check;
   report.quality = measure(mesh);
   report.input_vertices = mesh.vertex_count();
   report.admissible = certificate.admissible;
@@ -62,7 +59,7 @@ int run(CheckCommand& command) {
                  (!obtuse || !command.claims.nonobtuse);
   report.violations = checked.violations;
   report.groups = group_figures(mesh);
-  report.seconds.total = seconds();
+  report.seconds.total = seconds_since(start);
   report.peak_memory_bytes = peak_memory_bytes();
   print_report(report, command.json, command.quiet);
   return *report.valid ? done : unfinished;

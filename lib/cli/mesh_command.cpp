@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "interrupt.hpp"
 #include "outputs.hpp"
 #include "pipeline.hpp"
+#include "stopwatch.hpp"
 #include "validators.hpp"
 
 namespace lepp::cli {
@@ -23,10 +23,6 @@ struct MeshCommand {
   bool no_nonobtuse = false, split_crossings = false, allow_unfinished = false, quiet = false;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 int cancel(RunReport& report) {
   report.goal_reached = false;
   report.warnings.push_back("cancelled; nothing was written");
@@ -34,7 +30,7 @@ int cancel(RunReport& report) {
 }
 
 int run(MeshCommand& command) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const Files inputs{command.input, command.mesh.sizes.file};
   check_mesh_target(command.output, inputs);
   check_report_target(command.json, inputs, files_of(command.output.target));
@@ -54,7 +50,7 @@ int run(MeshCommand& command) {
   else if (interrupted()) status = cancel(report);
   else if (!*report.goal_reached) status = unfinished;
   if (status == done || (status == unfinished && command.allow_unfinished)) {
-    const auto writing = std::chrono::steady_clock::now();
+    const auto writing = Clock::now();
     write_mesh(meshed.mesh, command.output);
     report.output = command.output.target.string();
     report.seconds.write = seconds_since(writing);

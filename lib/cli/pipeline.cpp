@@ -1,7 +1,6 @@
 #include "pipeline.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <thread>
 
@@ -14,18 +13,11 @@
 #include "lepp/triangulation/quality.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "lepp/voronoi/admissible.hpp"
+#include "stopwatch.hpp"
 
 namespace lepp::cli {
 
 namespace {
-
-// Runs `work` and returns how many seconds it took.
-template <class Work>
-double timed(Work work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 class Pipeline {
  public:

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -22,6 +21,7 @@
 #include "lepp/voronoi/admissible.hpp"
 #include "outputs.hpp"
 #include "regions.hpp"
+#include "stopwatch.hpp"
 #include "validators.hpp"
 
 namespace lepp::cli {
@@ -46,10 +46,6 @@ struct RefineCommand {
   std::string json;
   bool allow_unfinished = false, quiet = false;
 };
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // What is asked of each triangle: where it meets a region, an edge below max_edge; and everywhere
 // edges no longer than the size field says.
@@ -188,7 +184,7 @@ Files files_read(const RefineCommand& command) {
 }
 
 int run(RefineCommand& command) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   const Files inputs = files_read(command);
   check_mesh_target(command.output, inputs);
   check_report_target(command.json, inputs, files_of(command.output.target));
@@ -200,7 +196,7 @@ int run(RefineCommand& command) {
   report.input_vertices = mesh.vertex_count();
   report.stages.push_back({"read", measure(mesh), 0});
 
-  const auto refining = std::chrono::steady_clock::now();
+  const auto refining = Clock::now();
   const RefineReport refined =
       command.by == By::bisect ? bisect(mesh, command, wanted) : insert(mesh, command, wanted);
   report.seconds.refine = seconds_since(refining);

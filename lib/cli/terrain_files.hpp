@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "terrain_options.hpp"
 #include "terrain_run.hpp"

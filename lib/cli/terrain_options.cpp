@@ -38,6 +38,16 @@ void refuse(bool is_wrong, const std::string& option, const std::string& why) {
   if (is_wrong) throw CLI::ValidationError(option, why);
 }
 
+void check_prefixes(const TerrainCommand& c) {
+  if (!c.prefix_errors) return;
+  refuse(c.json.empty(), "--prefix-errors", "are written to the report only: give --json");
+  refuse(c.by == SimplifyBy::lepp, "--prefix-errors",
+         "goes with --by greedy only: by lepp vertices come and go between levels, whose errors "
+         "are in the report");
+  refuse(c.fit_heights, "--prefix-errors", "are of the heights before --fit-heights moves them");
+  refuse(c.has_tiles(), "--prefix-errors", "does not go with --tiles");
+}
+
 void check_window(const TerrainCommand& c) {
   const auto window = c.grid_window();
   refuse(window && (window->columns < 2 || window->rows < 2), "--window",
@@ -138,6 +148,7 @@ void check_terrain_options(const TerrainCommand& c) {
   refuse(c.by == SimplifyBy::greedy && c.metric == TerrainMetric::surface, "--metric",
          "surface goes with --by lepp only");
   refuse(!c.border_error.empty() && c.nonobtuse, "--nonobtuse", "would cut the fixed borders");
+  check_prefixes(c);
   check_window(c);
   check_tiles(c);
 }

@@ -52,7 +52,8 @@ struct TerrainCommand {
   std::filesystem::path picture;
   double picture_width = 1000;
   std::string json;
-  bool nonobtuse = false, fit_heights = false, allow_unfinished = false, quiet = false;
+  bool nonobtuse = false, fit_heights = false, prefix_errors = false;
+  bool allow_unfinished = false, quiet = false;
 
   HeightGridOptions grid_options() const;
   std::optional<GridWindow> grid_window() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace lepp::cli {
 
@@ -99,6 +100,24 @@ void add_to(TerrainReport& whole, const TerrainReport& part) {
     if (std::ranges::find(whole.warnings, w) == whole.warnings.end()) whole.warnings.push_back(w);
   }
   whole.violations.insert(whole.violations.end(), part.violations.begin(), part.violations.end());
+}
+
+void describe(const HeightGrid& grid, TerrainReport& report) {
+  report.columns = grid.columns;
+  report.rows = grid.rows;
+  report.valid = true;
+  grid.heights.visit([&]<class Height>(std::span<const Height> heights) {
+    Height low = INFINITY, high = -INFINITY;
+    for (const Height h : heights) {
+      if (std::isnan(h)) continue;
+      ++report.samples;
+      low = std::min(low, h);
+      high = std::max(high, h);
+    }
+    if (report.samples == 0) return;
+    report.lowest = low;
+    report.highest = high;
+  });
 }
 
 void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report) {

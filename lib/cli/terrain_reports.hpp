@@ -9,7 +9,9 @@ namespace lepp::cli {
 /// Adds what was found for a tile to the report of the whole.
 void add_to(TerrainReport& whole, const TerrainReport& part);
 
-/// Fills in what a report says was asked for.
+/// Fills in what a report says of a grid: size, samples, range of heights.
+void describe(const HeightGrid& grid, TerrainReport& report);
+/// Fills in what it says was asked for.
 void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report);
 
 }  // namespace lepp::cli

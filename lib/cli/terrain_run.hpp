@@ -19,6 +19,7 @@ struct TerrainJob {
   bool claims_error = true;            ///< max_error was asked for
   bool nonobtuse = false;
   bool fit_heights = false;
+  bool lists_prefixes = false;  ///< the report has the error of each
 };
 
 /// A TIN with what was found out about it.
@@ -45,8 +46,5 @@ Point shift_of(const HeightGrid& window, const GridPlace& place);
 /// From a grid to TINs that were measured and checked from scratch.
 /// \throw Error  as the stages do
 MadeTerrain make_terrain(const HeightGrid& grid, const GridPlace& place, const TerrainJob& job);
-
-/// Fills in what a report says of a grid: size, samples, range of heights.
-void describe(const HeightGrid& grid, TerrainReport& report);
 
 }  // namespace lepp::cli

@@ -1,7 +1,6 @@
 #include "terrain_tiles.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 
@@ -11,16 +10,13 @@
 #include "lepp/io/raster_layout.hpp"
 #include "lepp/terrain/join_tins.hpp"
 #include "lepp/triangulation/validate.hpp"
+#include "stopwatch.hpp"
 #include "terrain_files.hpp"
 #include "terrain_reports.hpp"
 
 namespace lepp::cli {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // Where a part of n samples begins, of so many parts that share their ends.
 std::uint32_t begin_of(std::uint32_t part, std::uint32_t parts, std::uint32_t n) {
@@ -74,7 +70,7 @@ class Tiles {
   // All tiles keep the same bounds: percentages are of the range of all heights.
   // Returns false if the user does not want to wait for it.
   bool decide_bounds() {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     if (command_.is_relative() && !find_range()) return false;
     report_.seconds.read += seconds_since(start);
     const double range = lowest_ <= highest_ ? highest_ - lowest_ : 0;
@@ -148,7 +144,7 @@ class Tiles {
 
   int make_tile(std::uint32_t row, std::uint32_t column, TerrainFigures& figures) {
     const GridWindow window = tile_window(region_, counts_, row, column);
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     GridPart part = file_.read_part(window);
     report_.seconds.read += seconds_since(start);
     job_.border_corners = border_corners(part);
@@ -166,7 +162,7 @@ class Tiles {
     if (!made.report.goal_reached && !command_.allow_unfinished) {
       return failed(figures, "the goal was not reached", unfinished);
     }
-    const auto writing = std::chrono::steady_clock::now();
+    const auto writing = Clock::now();
     if (command_.writes_tiles()) write_tile(made, tile_suffix(row, column));
     if (command_.writes_whole()) keep(made, shift_of(part.grid, place));
     report_.seconds.write += seconds_since(writing);
@@ -198,7 +194,7 @@ class Tiles {
   }
 
   int write_joined() {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     int status = done;
     for (std::size_t i = 0; i + 1 < joined_.size() && status == done; ++i) {
       status = write_joined(joined_[i], report_.levels[i], level_suffix(i + 1));

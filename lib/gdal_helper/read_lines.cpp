@@ -4,7 +4,6 @@
 #include <ogrsf_frmts.h>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "gdal_failure.hpp"

@@ -54,11 +54,20 @@ TEST_CASE("the terrain report for machines names the error, its place, and every
         nlohmann::json({{"samples", 7}, {"max", 2.25}, {"max_elsewhere", 1.75}}));
   CHECK(json["error"]["at"] == nlohmann::json({431550.0, 5103725.0}));
   CHECK(json["levels"][0]["output"] == "dem.level1.ply");
+  CHECK(json["prefixes"].is_null());
   CHECK(json["below_bound"].size() == ReasonCounts().size());
   CHECK(json["below_bound"]["kept_border"] == 3);
   CHECK(json["admissible"].is_null());
   CHECK(json["error_kept"] == true);
   CHECK(json["smallest_angles"].size() == 12);
+}
+
+TEST_CASE("the terrain report for machines lists the errors of prefixes if it has them") {
+  TerrainReport report = sample();
+  report.prefixes = {4, {9.5, 2.25}};
+  const auto json = nlohmann::json::parse(to_json(report));
+  CHECK(json["prefixes"]["first"] == 4);
+  CHECK(json["prefixes"]["max_errors"] == nlohmann::json({9.5, 2.25}));
 }
 
 TEST_CASE("the terrain report for people says what was asked for beside what was found") {

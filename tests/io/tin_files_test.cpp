@@ -17,25 +17,6 @@ using test::ScratchFolder;
 using test::small_tin;
 using test::utm;
 
-namespace {
-
-// A record of a Fortran file, whose length stands before and after it.
-template <class Number>
-std::vector<Number> record(Bytes& bytes) {
-  const auto length = bytes.next<std::int32_t>();
-  std::vector<Number> numbers(static_cast<std::size_t>(length) / sizeof(Number));
-  for (Number& n : numbers) n = bytes.next<Number>();
-  CHECK(bytes.next<std::int32_t>() == length);
-  return numbers;
-}
-
-std::string text_record(Bytes& bytes) {
-  const auto characters = record<char>(bytes);
-  return {characters.begin(), characters.end()};
-}
-
-}  // namespace
-
 TEST_CASE("OBJ: vertices and triangles as text") {
   const ScratchFolder folder;
   write_obj(small_tin(), folder / "a.obj");
@@ -111,16 +92,6 @@ TEST_CASE("offsets of float files have the digits that a grid in degrees needs")
   CHECK(contains(folder.text("a.stl"), "add -117.2 to x, 36.9 to y"));
 }
 
-TEST_CASE("single-precision Selafin refuses what its 32 bits cannot hold") {
-  const ScratchFolder folder;
-  WorldTin tin = small_tin();
-  tin.mesh = test::two_triangles({1e10, 0}, {1e10 + 1, 0}, {1e10 + 1, 1}, {1e10, 1});
-  CHECK_THROWS_AS(write_selafin(tin, folder / "a.slf", SelafinPrecision::floats), RefusedError);
-  tin.mesh = test::two_triangles({0, 0}, {1e8, 0}, {1e8, 1e8}, {1e8 - 1, 1e8});
-  CHECK_THROWS_AS(write_selafin(tin, folder / "a.slf", SelafinPrecision::floats), InputError);
-  CHECK_FALSE(std::filesystem::exists(folder / "a.slf"));
-}
-
 TEST_CASE("STL refuses triangles that its floats cannot hold") {
   const ScratchFolder folder;
   WorldTin tin = small_tin();
@@ -155,53 +126,6 @@ TEST_CASE("2DM: triangles with their region, then nodes") {
   CHECK(folder.text("a.2dm") ==
         "MESH2D\nE3T 1 1 2 3 1\nE3T 2 1 3 4 1\nND 1 0 0 0\nND 2 1 0 1.5\nND 3 1 1 -2\nND 4 0 1 "
         "0.1\n");
-}
-
-TEST_CASE("Selafin: big-endian records, in doubles as they are") {
-  const ScratchFolder folder;
-  write_selafin(ring({500000.25, 4100000.75}), folder / "a.slf");
-  Bytes bytes(folder.text("a.slf"), std::endian::big);
-  CHECK(text_record(bytes) == "ring" + std::string(68, ' ') + "SERAFIND");
-  CHECK(record<std::int32_t>(bytes) == std::vector{1, 0});
-  CHECK(text_record(bytes) == "BOTTOM          M               ");
-  CHECK(record<std::int32_t>(bytes) == std::vector{1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-  CHECK(record<std::int32_t>(bytes) == std::vector{8, 8, 3, 1});
-  const auto corners = record<std::int32_t>(bytes);
-  CHECK(corners.size() == 24);
-  CHECK(std::vector(corners.begin(), corners.begin() + 6) == std::vector{1, 2, 5, 2, 6, 5});
-  CHECK(record<std::int32_t>(bytes) == std::vector{1, 2, 3, 4, 6, 5, 8, 7});
-  CHECK(record<double>(bytes)[1] == 500003.25);
-  CHECK(record<double>(bytes)[2] == 4100003.75);
-  CHECK(record<double>(bytes) == std::vector<double>{0});
-  CHECK(record<double>(bytes) == std::vector<double>(8, 10));
-  CHECK(bytes.at_end());
-}
-
-TEST_CASE("Selafin in floats stores the corner that it subtracts") {
-  const ScratchFolder folder;
-  write_selafin(ring({500000.25, 4100000.75}), folder / "a.slf", SelafinPrecision::floats);
-  Bytes bytes(folder.text("a.slf"), std::endian::big);
-  CHECK(text_record(bytes).ends_with("SERAFIN "));
-  for (int i = 0; i < 2; ++i) record<char>(bytes);
-  CHECK(record<std::int32_t>(bytes) == std::vector{1, 0, 500000, 4100000, 0, 0, 0, 0, 0, 0});
-  for (int i = 0; i < 3; ++i) record<std::int32_t>(bytes);
-  CHECK(record<float>(bytes)[1] == 3.25f);
-  CHECK(record<float>(bytes)[2] == 3.75f);
-}
-
-TEST_CASE("offsets beyond whole numbers: Selafin in floats refuses them, STL writes their digits") {
-  const ScratchFolder folder;
-  for (const Point corner : {Point{3e9, 0}, Point{0, -3e9}}) {
-    CAPTURE(corner.x);
-    const std::string message = error_of<RefusedError>(
-        [&] { write_selafin(ring(corner), folder / "a.slf", SelafinPrecision::floats); });
-    CHECK(contains(message, "serafind"));
-    CHECK(folder.names().empty());
-  }
-  WorldTin tin = small_tin();
-  tin.mesh = test::two_triangles({1e20, 0}, {1e20 + 1e18, 0}, {1e20 + 1e18, 1e18}, {1e20, 1e18});
-  write_stl(tin, folder / "a.stl");
-  CHECK(contains(folder.text("a.stl"), "add 1e+20 to x, 0 to y"));
 }
 
 TEST_CASE("a .prj beside the TIN is written, but left as it is where it says the same") {
@@ -279,25 +203,4 @@ TEST_CASE("a mesh that cannot be written leaves no .prj beside it, and the old o
   std::filesystem::create_directory(folder / "c.prj");
   CHECK(error_of<OutputError>([&] { write_tin(tin, folder / "c.ply"); }) != "");
   CHECK(folder.names() == std::set<std::string>{"a.stl", "b.prj", "c.prj"});
-}
-
-TEST_CASE("a TIN in the world: rows go south, and lines of grid space north") {
-  HeightGrid grid;
-  grid.columns = 3;
-  grid.rows = 2;
-  for (const int height : {1, 2, 3, 4, 5, 6}) grid.heights.push_back(height);
-  grid.origin = {100, 50};
-  grid.step_x = 10;
-  grid.step_y = -20;
-  grid.cell_width = 10;
-  grid.cell_height = 20;
-  grid.source = "folder/dem.asc";
-  Tin tin{test::from_triangles({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{0, 1, 2}, {0, 2, 3}}),
-          {4, 6, 3, 1}};
-  const WorldTin world = to_world(tin, grid);
-  CHECK(world.mesh.point(VertexId(0U)) == Point{100, 30});
-  CHECK(world.mesh.point(VertexId(2U)) == Point{120, 50});
-  CHECK(world.title == "dem.asc");
-  grid.step_y = 20;
-  CHECK(to_world(tin, grid).mesh.point(VertexId(0U)) == Point{100, 50});
 }

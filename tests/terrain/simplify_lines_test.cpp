@@ -82,13 +82,16 @@ TEST_CASE("simplify: a line close to the outline and nearly parallel to it") {
     DomainOptions lines;
     lines.breaklines.push_back({{{23.5, -(8 + beside)}, {32.9, -(7.9 + beside)}}, {}, "stream"});
     lines.breaklines.push_back({{{20.1, -3.2}, {41.7, -12.6}}, {}, "path"});
-    for (const double bound : {0.5, 5.0}) {
-      SimplifyReport report;
-      const Tin tin = simplify(grid, terrain_domain(grid, lines),
-                               {.max_error = bound, .min_angle_deg = 20.7}, report);
-      CHECK(report.goal_reached);
-      CHECK(report.error.max <= bound * (1 + 1e-9));
-      CHECK(validate(tin.mesh).summary() == "valid");
+    for (const TerrainMetric metric : {TerrainMetric::planar, TerrainMetric::surface}) {
+      for (const double bound : {0.5, 5.0}) {
+        SimplifyReport report;
+        SimplifyOptions options{.max_error = bound, .metric = metric, .min_angle_deg = 20.7};
+        const Tin tin = simplify(grid, terrain_domain(grid, lines), options, report);
+        CHECK(report.goal_reached);
+        CHECK(report.error.max <= bound * (1 + 1e-9));
+        CHECK(validate(tin.mesh, {.delaunay = metric == TerrainMetric::planar}).summary() ==
+              "valid");
+      }
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/terrain/surface_loop.hpp"
@@ -156,14 +157,33 @@ TEST_CASE("Level ground: equal bytes when the budget ends the repair") {
 }
 
 TEST_CASE("Surface metric: the budget is kept, and said to be the reason") {
-  const HeightGrid grid = steep_hills(60, 45);
-  SimplifyReport report;
-  const Tin tin = run(grid, rectangle(grid), {.max_error = 0.5, .max_vertices = 100},
-                      TerrainMetric::surface, report);
-  CHECK(tin.mesh.vertex_count() >= 100);
-  CHECK(tin.mesh.vertex_count() <= 103);  // an edge with others in a fan is cut with them
-  CHECK(!report.goal_reached);
-  check_surface(grid, tin, report);
+  const HeightGrid grid = steep_hills(40, 30);
+  TerrainDomain fan = rectangle(grid);  // its edges are cut together
+  fan.pslg.points.push_back({13.51, 8.91});
+  for (const Point end : {Point{17.09, 15.3}, Point{17.8, 14.44}, Point{17.3, 19.26},
+                          Point{12.03, 16.3}, Point{13.54, 13.39}}) {
+    fan.pslg.points.push_back(end);
+    const VertexId center(4U), last(fan.pslg.points.size() - 1);
+    fan.pslg.segments.push_back({center, last, {}});
+  }
+  for (const TerrainDomain& domain : {rectangle(grid), fan}) {
+    for (const auto& [effort, least] : {std::pair(Effort::fast, 91U), {Effort::normal, 124U}}) {
+      for (std::size_t most = least; most < least + 6; ++most) {  // 97 and 130 were made
+        CAPTURE(most);
+        SimplifyReport report;
+        const Tin tin =
+            run(grid, domain, {.max_error = 0.2, .max_vertices = most, .effort = effort},
+                TerrainMetric::surface, report);
+        CHECK(tin.mesh.vertex_count() <= most);
+        CHECK(tin.mesh.vertex_count() + 5 >= most);
+        CHECK(!report.goal_reached);
+        CHECK(std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
+          return is_forced_by_input(u.reason) || u.reason == Reason::budget;
+        }));
+        check_surface(grid, tin, report);
+      }
+    }
+  }
 }
 
 TEST_CASE("Surface metric: a caller's stop ends it with a valid TIN") {

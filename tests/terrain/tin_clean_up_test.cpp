@@ -3,23 +3,12 @@
 #include <doctest/doctest.h>
 
 #include "lepp/terrain/lepp_loop.hpp"
+#include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/validate.hpp"
 #include "terrain/hills.hpp"
 
 using namespace lepp;
 using namespace lepp::test;
-
-namespace {
-
-double largest_error(const TerrainMesh& terrain) {
-  double largest = 0;
-  for (std::size_t t = 0; t < terrain.mesh().triangle_count(); ++t) {
-    largest = std::max(largest, terrain.error(TriangleId(t)));
-  }
-  return largest;
-}
-
-}  // namespace
 
 TEST_CASE("TinCleanUp: vertices go, both bounds stay, and what is frozen stays") {
   const HeightGrid grid = hills(90, 70);

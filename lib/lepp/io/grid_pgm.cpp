@@ -1,6 +1,5 @@
 // PGM, plain (P2) and raw (P5): size and largest value, then heights up to 65535.
 #include <array>
-#include <string>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/raster_layout.hpp"

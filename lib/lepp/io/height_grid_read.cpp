@@ -1,7 +1,6 @@
 #include "lepp/io/height_grid_read.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "lepp/io/grid_file.hpp"
 #include "lepp/io/raster_layout.hpp"

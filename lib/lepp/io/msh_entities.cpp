@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lepp/io/ungrouped.hpp"
+#include "lepp/triangulation/for_each_edge.hpp"
 
 namespace lepp {
 
@@ -234,14 +235,9 @@ void leave_nothing_ungrouped(MshEntities& entities) {
 
 MshEntities msh_entities(const Mesh& mesh) {
   Curves curves(mesh);
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      if (!mesh.is_constrained(e)) continue;
-      const auto across = mesh.twin(e);
-      if (!across || e < *across) curves.add(e);  // each edge once
-    }
-  }
+  for_each_edge(mesh, [&](HalfEdge e) {
+    if (mesh.is_constrained(e)) curves.add(e);
+  });
   MshEntities result;
   result.groups = mesh.entities().groups;
   result.surfaces = collect_surfaces(mesh, curves);

@@ -5,6 +5,7 @@
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/places.hpp"
 #include "lepp/io/poly.hpp"
+#include "lepp/triangulation/for_each_edge.hpp"
 
 namespace lepp {
 
@@ -27,15 +28,10 @@ struct MarkedEdge {
 
 std::vector<MarkedEdge> constrained_edges(const Mesh& mesh) {
   std::vector<MarkedEdge> edges;
-  for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const HalfEdge e{TriangleId(i), k};
-      if (!mesh.is_constrained(e)) continue;
-      const auto across = mesh.twin(e);
-      if (across && *across < e) continue;  // each edge once
-      edges.push_back({mesh.origin(e), mesh.destination(e), marker_of(mesh, e)});
-    }
-  }
+  for_each_edge(mesh, [&](HalfEdge e) {
+    if (!mesh.is_constrained(e)) return;
+    edges.push_back({mesh.origin(e), mesh.destination(e), marker_of(mesh, e)});
+  });
   return edges;
 }
 

@@ -5,7 +5,7 @@
 
 #include "lepp/io/atomic_files.hpp"
 #include "lepp/io/picture_frame.hpp"
-#include "lepp/triangulation/mesh.hpp"
+#include "lepp/triangulation/for_each_edge.hpp"
 
 namespace lepp {
 
@@ -31,15 +31,11 @@ class SvgDrawing {
   /// The edges that `is_drawn` says, as one path; each edge once where it says so of either side.
   void edges(const Mesh& mesh, std::string_view color, double stroke_width, auto is_drawn) {
     open_path("none", color, stroke_width);
-    for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        const HalfEdge e{TriangleId(i), k};
-        const auto across = mesh.twin(e);
-        if ((across && *across < e) || !is_drawn(e)) continue;
-        move(mesh.point(mesh.origin(e)));
-        line(mesh.point(mesh.destination(e)));
-      }
-    }
+    for_each_edge(mesh, [&](HalfEdge e) {
+      if (!is_drawn(e)) return;
+      move(mesh.point(mesh.origin(e)));
+      line(mesh.point(mesh.destination(e)));
+    });
     close_path();
   }
 

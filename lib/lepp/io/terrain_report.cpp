@@ -60,6 +60,10 @@ Json list_of(const std::vector<TerrainFigures>& list, bool with_problems) {
   return json;
 }
 
+Json prefixes(const std::optional<PrefixErrors>& p) {
+  return p ? Json({{"first", p->first}, {"max_errors", p->max_errors}}) : Json();
+}
+
 Json numbers_of(const std::optional<GridWindow>& w) {
   return w ? Json({w->column, w->row, w->columns, w->rows}) : Json();
 }
@@ -134,6 +138,7 @@ std::string to_json(const TerrainReport& r) {
   json["error"] = error(r.whole);
   json["unfitted_error"] = unfitted(r.whole);
   json["levels"] = list_of(r.levels, false);
+  json["prefixes"] = prefixes(r.prefixes);
   json["tiles"] = list_of(r.tiles, true);
   json["min_angle_deg"] = r.min_angle_deg_found;
   json["mean_min_angle_deg"] = r.mean_min_angle_deg;

@@ -46,6 +46,12 @@ struct TerrainInSpace {
   double plan_angle_deg = 0;         ///< what the surface metric promises of angles in plan
 };
 
+/// The largest error with the first vertices of a TIN: `first` of them, then one more each.
+struct PrefixErrors {
+  std::size_t first = 0;
+  std::vector<double> max_errors;
+};
+
 /// Everything a run of `lepp terrain` has to say. Angles are those of the plane with true cell
 /// sizes; columns and rows count from 0, row 0 the first of the file.
 struct TerrainReport {
@@ -61,6 +67,7 @@ struct TerrainReport {
   std::optional<std::array<std::size_t, 2>> tiling;  ///< rows and columns of tiles
   TerrainFigures whole;                              ///< of the finest level; over all tiles
   std::vector<TerrainFigures> levels;                ///< coarser ones, the coarsest first
+  std::optional<PrefixErrors> prefixes;              ///< if asked for
   std::vector<TerrainFigures> tiles;  ///< row by row; the last one may have a problem
   double min_angle_deg_found = 0, max_angle_deg_found = 0, mean_min_angle_deg = 0;
   AngleHistogram smallest_angles{};

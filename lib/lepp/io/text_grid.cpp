@@ -1,6 +1,5 @@
 #include "lepp/io/text_grid.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "lepp/geometry/error.hpp"

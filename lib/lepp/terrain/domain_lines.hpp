@@ -24,8 +24,8 @@ struct Arrangement {
 /// then lines meet where they nearly do (snap_lines.hpp).
 /// \param outline  a PSLG whose segments are all of curve 0
 /// \throw InputError  naming the line or ring: a coordinate or height that is not finite, or far
-///                    beyond the grid, as many
-///                    heights as points missing, a ring of fewer than three places
+///                    beyond the grid, heights that are not as many as the points, a ring of fewer
+///                    than three places
 Arrangement arrange(const HeightGrid& grid, const Pslg& outline, const DomainOptions& options);
 
 }  // namespace lepp

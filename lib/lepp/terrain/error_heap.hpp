@@ -20,6 +20,7 @@ class ErrorHeap {
   std::optional<TriangleId> top() const;
   double top_error() const { return heap_.empty() ? 0 : heap_.front().error; }
   std::size_t size() const { return heap_.size(); }
+  double limit() const { return limit_; }
 
  private:
   struct Entry {

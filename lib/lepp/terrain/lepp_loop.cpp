@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/lepp.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
 
@@ -28,8 +29,8 @@ LeppLoop::LeppLoop(TerrainMesh& terrain, double min_angle_deg, std::function<boo
       place_(of_places(min_angle_deg)),
       floor_(default_size_floor(mesh_)),
       any_sharp_(segments_meet_sharply(mesh_)),
-      frozen_(mesh_.vertex_count()),
-      budget_(8 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
+      budget_(vertex_budget(terrain)),
+      free_stars_(mesh_) {
   asked_.min_angle_deg = min_angle_deg;
 }
 
@@ -53,20 +54,13 @@ void LeppLoop::run(double error, std::size_t vertices) {
   start();
 }
 
-bool LeppLoop::met_kept_border(TriangleId t) const {
-  return std::ranges::find(at_kept_border_, mesh_.vertices(t)) != at_kept_border_.end();
-}
-
 void LeppLoop::start() {
   at_kept_border_.clear();
-  moves_.clear();
+  free_stars_.forget_moves();
   if (any_sharp_) encroached_.emplace(mesh_);
   targets_.emplace(mesh_, asked_);
-  heap_.emplace(error_);
-  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-    targets_->add(mesh_, TriangleId(t));
-    heap_->set(TriangleId(t), terrain_.error(TriangleId(t)));
-  }
+  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) targets_->add(mesh_, TriangleId(t));
+  heap_ = errors_above(terrain_, error_);
 }
 
 bool LeppLoop::may_go_on() {
@@ -74,13 +68,7 @@ bool LeppLoop::may_go_on() {
   return !cancelled_ && !out_of_budget();
 }
 
-double LeppLoop::largest_error() const {
-  double largest = 0;
-  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-    largest = std::max(largest, terrain_.error(TriangleId(t)));
-  }
-  return heap_->top() ? largest : std::min(largest, error_);
-}
+double LeppLoop::largest_error() const { return lepp::largest_error(terrain_, *heap_); }
 
 void LeppLoop::note_changes() {
   terrain_.add_heights();
@@ -105,7 +93,7 @@ bool LeppLoop::take_turn(std::size_t vertices) {
   }
   if (const auto t = targets_->next(mesh_)) {
     target_ = t;
-    if (!is_improvable(*t)) return true;
+    if (!is_improvable(mesh_, *t, floor_)) return true;
     const auto before = mesh_.vertices(*t);
     if (improve(*t) && mesh_.vertices(*t) == before) targets_->add(mesh_, *t);
     return true;
@@ -148,7 +136,7 @@ void LeppLoop::reduce_error(TriangleId t) {
   const Sample s = terrain_.worst(t).at;
   if (cut_line_at(t, s)) return;
   const Point p = terrain_.space().place(s);
-  best_.reset();
+  best_.clear();
   if (find_cavity(t, p) && (fill_if_good(p) || insert_near_worst(t, p))) return;
   const HalfEdge terminal = terminal_edge(mesh_, t);
   if (squared_length(terminal) > short_edge * short_edge) {
@@ -182,7 +170,7 @@ bool LeppLoop::fill_if_good(Point p) {
     fill(p);
     return true;
   }
-  if (!best_ || badness < best_->badness) best_ = Candidate{p, badness};
+  best_.note(p, badness);
   return false;
 }
 
@@ -199,8 +187,8 @@ bool LeppLoop::insert_at_end_of_path(HalfEdge terminal) {
 }
 
 bool LeppLoop::insert_best(TriangleId t) {
-  if (!best_ || !find_cavity(t, best_->place)) return false;
-  fill(best_->place);
+  if (!best_.exists() || !find_cavity(t, best_.place())) return false;
+  fill(best_.place());
   return true;
 }
 

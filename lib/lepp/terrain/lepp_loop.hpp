@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -11,7 +9,10 @@
 #include "lepp/refine/feasible_place.hpp"
 #include "lepp/refine/off_centre.hpp"
 #include "lepp/refine/target_buckets.hpp"
+#include "lepp/terrain/best_place.hpp"
 #include "lepp/terrain/error_heap.hpp"
+#include "lepp/terrain/free_stars.hpp"
+#include "lepp/terrain/small_angles.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/relocate.hpp"
@@ -35,24 +36,18 @@ class LeppLoop {
   void run(double error, std::size_t vertices);
 
   /// Vertices that exist now stay where they are from now on.
-  void freeze() { frozen_ = mesh_.vertex_count(); }
-  std::size_t frozen() const { return frozen_; }
+  void freeze() { free_stars_.freeze(); }
+  std::size_t frozen() const { return free_stars_.frozen(); }
   /// The largest error, or the bound of run() if what is above it cannot be mended.
   double largest_error() const;
-  /// True if the last run() gave up `t` because of a side of the domain that must stay whole.
-  bool met_kept_border(TriangleId t) const;
+  /// What the last run() gave up.
+  const AtKeptBorder& at_kept_border() const { return at_kept_border_; }
   bool cancelled() const { return cancelled_; }
   /// True if the last run() left small angles for want of vertices.
   bool limited() const { return limited_; }
   bool out_of_budget() const { return mesh_.vertex_count() >= budget_; }
 
  private:
-  // A place for a vertex, and the worst angle of the star it would get, as cos^2.
-  struct Candidate {
-    Point place;
-    double badness;
-  };
-
   void start();
   bool may_go_on();
   bool take_turn(std::size_t vertices);
@@ -60,12 +55,9 @@ class LeppLoop {
   void keep_if_best(std::size_t vertices);
   void keep_within(std::size_t vertices);
 
-  bool is_improvable(TriangleId t) const;
   bool improve(TriangleId t);
   bool move_a_corner(TriangleId t);
-  bool find_free_star(TriangleId t, std::uint32_t corner);
   bool is_good_center(Point p) const;
-  double error_of_star(Point p) const;
   bool insert_at_good_place(TriangleId t, Point p);
   bool insert_or_cut(TriangleId t, Point p);
 
@@ -84,6 +76,7 @@ class LeppLoop {
   double badness_of_star(Point p) const;
   void fill(Point p);
   bool cut(HalfEdge e);
+  bool give_up_at_border();
   bool cut_at_sample_near(HalfEdge e, Point p);
   bool is_sharp(HalfEdge e) const;
   double squared_length(HalfEdge e) const;
@@ -102,7 +95,7 @@ class LeppLoop {
   double floor_;
   bool any_sharp_;
   std::optional<EncroachedEdges> encroached_;  // looked at only where lines meet sharply
-  std::size_t frozen_, budget_;
+  std::size_t budget_;
   bool cancelled_ = false;
 
   std::optional<TerrainMesh::State> kept_;  // the least error with so many vertices
@@ -110,15 +103,15 @@ class LeppLoop {
   std::optional<TerrainMesh::State> within_;  // the most vertices that there may be, or a few less
   bool limited_ = false;
 
-  std::vector<std::array<VertexId, 3>> at_kept_border_;  // targets given up there
+  AtKeptBorder at_kept_border_;
+  FreeStars free_stars_;
 
   // Of the turn in hand.
   std::optional<TriangleId> target_;
   Cavity cavity_;
   std::optional<HalfEdge> barrier_;  // what kept find_cavity() from its place
   Star star_;
-  std::optional<Candidate> best_;
-  std::vector<std::uint8_t> moves_;  // by vertex
+  BestPlace best_;
   std::vector<TriangleId> changed_;
   std::vector<HalfEdge> suspects_;
 };

@@ -2,23 +2,18 @@
 
 #include <algorithm>
 
-#include "lepp/geometry/predicates.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/terrain/lepp_loop.hpp"
+#include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/flip.hpp"
 #include "lepp/triangulation/locate.hpp"
 #include "lepp/triangulation/sharp_vertex.hpp"
-#include "lepp/triangulation/split.hpp"
 #include "lepp/triangulation/split_constrained.hpp"
 
 namespace lepp {
 
 namespace {
 
-// One move may undo another, so that only a limit makes an end certain; few get near it.
-constexpr std::uint8_t most_moves = 20;
-// A fuller star hardly ever has a place with all angles good.
-constexpr std::size_t most_triangles = 12;
 // A line is cut at a sample in the middle part of it, if it is long enough to have one there.
 constexpr double shortest_with_choice = 3;
 // An off-centre may move to the next sample if that is this much nearer than the triangle.
@@ -30,11 +25,6 @@ constexpr double clear = 1e-6;
 }  // namespace
 
 // ---- small angles -------------------------------------------------------------------------------
-
-bool LeppLoop::is_improvable(TriangleId t) const {
-  return !smallest_angle_between_constrained(mesh_, t) && !shortest_edge_is_seditious(mesh_, t) &&
-         !at_input_feature(mesh_, t, 2 * floor_);
-}
 
 // As UnifiedLoop does, but for the samples.
 bool LeppLoop::improve(TriangleId t) {
@@ -53,31 +43,21 @@ bool LeppLoop::improve(TriangleId t) {
 
 bool LeppLoop::move_a_corner(TriangleId t) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    if (!find_free_star(t, i)) continue;
+    if (!free_stars_.find(t, i, star_)) continue;
     const VertexId v = mesh_.vertex(t, i);
     const auto place = place_.find(star_, mesh_.point(v));
     if (!place) continue;
-    double limit = error_;
-    for (const auto& side : star_.link) {
-      limit = std::max(limit, terrain_.error(side.edge.triangle));
-    }
+    const double limit = std::max(error_, lepp::largest_error(terrain_, star_));
     for (const Point p : {terrain_.snapped(*place), terrain_.clear_of_samples(*place, clear)}) {
-      if (!is_good_center(p) || error_of_star(p) > limit) continue;
+      if (!is_good_center(p) || error_of_star(terrain_, star_, p) > limit) continue;
       if (any_sharp_ && encroaches_beyond_link(mesh_, star_, p, suspects_)) continue;
       move_vertex(mesh_, v, star_, p, changed_);
       terrain_.set_height(v);
-      ++moves_[v.index()];
+      free_stars_.note_move(v);
       return true;
     }
   }
   return false;
-}
-
-bool LeppLoop::find_free_star(TriangleId t, std::uint32_t corner) {
-  const VertexId v = mesh_.vertex(t, corner);
-  if (v.index() < frozen_ || mesh_.origin_of(v).kind != VertexOrigin::Kind::interior) return false;
-  if (moves_.size() <= v.index()) moves_.resize(2 * mesh_.vertex_count(), 0);
-  return moves_[v.index()] < most_moves && find_star(mesh_, t, corner, star_, most_triangles);
 }
 
 bool LeppLoop::is_good_center(Point p) const {
@@ -88,18 +68,6 @@ bool LeppLoop::is_good_center(Point p) const {
     if (constrained && would_encroach(mesh_, edge, p)) return false;
   }
   return true;
-}
-
-double LeppLoop::error_of_star(Point p) const {
-  const TerrainCorner center = terrain_.space().corner(p, terrain_.height_of(p));
-  double worst = 0;
-  for (const auto& side : star_.link) {
-    const auto found = terrain_.scan().worst({center, terrain_.corner(mesh_.origin(side.edge)),
-                                              terrain_.corner(mesh_.destination(side.edge))},
-                                             terrain_.hard_side(side.edge, 0));
-    worst = std::max(worst, found.error);
-  }
-  return worst;
 }
 
 bool LeppLoop::insert_at_good_place(TriangleId t, Point p) {
@@ -177,19 +145,19 @@ void LeppLoop::fill(Point p) {
 }
 
 bool LeppLoop::cut(HalfEdge e) {
-  if (!terrain_.may_cut(e)) {
-    if (target_) at_kept_border_.push_back(mesh_.vertices(*target_));
-    return false;
-  }
+  if (!terrain_.may_cut(e)) return give_up_at_border();
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
   if (cut_at_sample_near(e, midpoint(a, b))) return true;
-  if (!terrain_.may_cut_with_fan(e)) {
-    if (target_) at_kept_border_.push_back(mesh_.vertices(*target_));
-    return false;
-  }
+  if (!terrain_.may_cut_with_fan(e)) return give_up_at_border();
   const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
   changed_.insert(changed_.end(), split.changed.begin(), split.changed.end());
   return !split.vertices.empty();
+}
+
+// Notes the target in hand. Returns false: nothing was cut.
+bool LeppLoop::give_up_at_border() {
+  if (target_) at_kept_border_.add(mesh_, *target_);
+  return false;
 }
 
 bool LeppLoop::cut_at_sample_near(HalfEdge e, Point p) {

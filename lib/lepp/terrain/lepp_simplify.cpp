@@ -106,19 +106,8 @@ class LeppSimplification {
     const Mesh& mesh = terrain_.mesh();
     const bool used_up =
         loop_.out_of_budget() || loop_.limited() || mesh.vertex_count() >= options_.max_vertices;
-    const Reason otherwise = loop_.cancelled() ? Reason::cancelled
-                             : used_up         ? Reason::budget
-                                               : Reason::size_floor;
-    RefineOptions asked;
-    asked.min_angle_deg = options_.min_angle_deg;
-    asked.obtuse = ObtuseRule::ignore;
-    std::vector<Unfinished> unfinished = judge(mesh, asked, otherwise).unfinished;
-    for (Unfinished& u : unfinished) {
-      if (!is_forced_by_input(u.reason) && loop_.met_kept_border(u.triangle)) {
-        u.reason = Reason::kept_border;
-      }
-    }
-    return unfinished;
+    return lepp::small_angles(mesh, options_.min_angle_deg, {loop_.cancelled(), used_up},
+                              loop_.at_kept_border());
   }
 
   TerrainMesh& terrain_;

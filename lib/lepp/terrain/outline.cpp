@@ -1,7 +1,6 @@
 #include "lepp/terrain/outline.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>

@@ -32,11 +32,18 @@ class SampleSpace {
   TerrainCorner corner(Point p, double height) const {
     return {snapped(p.x), snapped(aspect_ == 1 ? p.y : p.y / aspect_), height};
   }
+  /// A corner that is nearer to a sample's column or line than `same_place` is put there.
+  static TerrainCorner snapped(const TerrainCorner& c) {
+    return {snapped(c.column), snapped(c.line), c.height};
+  }
   Point place(Sample s) const { return grid_.sample(s.column, s.line); }
   double height(Sample s) const { return grid_.height(s.column, grid_.row_of_line(s.line)); }
   /// The sample nearest to a place.
   Sample nearest(Point p) const {
     return {whole(p.x, grid_.columns), whole(aspect_ == 1 ? p.y : p.y / aspect_, grid_.rows)};
+  }
+  Sample nearest(const TerrainCorner& c) const {
+    return {whole(c.column, grid_.columns), whole(c.line, grid_.rows)};
   }
   static bool is_at(const TerrainCorner& corner, Sample s) {
     return corner.column == s.column && corner.line == s.line;

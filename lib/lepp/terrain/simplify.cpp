@@ -10,6 +10,7 @@
 #include "lepp/terrain/greedy.hpp"
 #include "lepp/terrain/lepp_simplify.hpp"
 #include "lepp/terrain/levels.hpp"
+#include "lepp/terrain/small_angles.hpp"
 #include "lepp/terrain/surface_simplify.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
 
@@ -77,13 +78,12 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
   }
   Tin tin = terrain.take();
   report.error = measure_error(grid, tin);
+  if (!report.error_of_prefix.empty()) report.error_of_prefix.back() = report.error.max;
   report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
   note_angles(grid, tin, options.min_angle_deg, report.surface);
   report.goal_reached = levels.is_kept(report.error.elsewhere.max) &&
                         tin.mesh.vertex_count() <= options.max_vertices &&
-                        std::ranges::all_of(report.unfinished, [](const Unfinished& u) {
-                          return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;
-                        });
+                        are_excused(report.unfinished);
   return tin;
 }
 

@@ -98,7 +98,8 @@ struct SimplifyReport {
   TerrainError error;
   std::vector<TerrainLevel> levels;  ///< the last one is the TIN itself
   std::size_t first_prefix = 0;      ///< vertices of the domain alone
-  /// Greedy: the largest error with the first `first_prefix` vertices, then with one more each.
+  /// Greedy: the largest error, of all samples, with the first `first_prefix` vertices, then with
+  /// one more each, up to the whole: of the TIN that a run with so many as max_vertices makes.
   std::vector<double> error_of_prefix;
   /// Triangles below the angle bound, and why; by the surface metric those with an angle in plan
   /// below 15 degrees (or the bound, if that is less).

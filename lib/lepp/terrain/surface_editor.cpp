@@ -1,9 +1,7 @@
 #include "lepp/terrain/surface_editor.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "lepp/geometry/predicates.hpp"
 #include "lepp/geometry/triangle_measures.hpp"
 #include "lepp/refine/straight_walk.hpp"
 #include "lepp/triangulation/locate.hpp"
@@ -55,9 +53,9 @@ void SurfaceEditor::fill(TerrainMetric metric) {
 bool SurfaceEditor::cut(HalfEdge e, double least) {
   const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
   if (!terrain_.may_cut_with_fan(e) || squared_distance(a, b) < 4 * least * least) return false;
-  const bool fan_at_a = fan_at(mesh_, e, mesh_.origin(e)).exists();
-  const bool fan_at_b = fan_at(mesh_, e, mesh_.destination(e)).exists();
-  if (fan_at_a != fan_at_b) return split_with_fan(e);
+  const VertexId from = mesh_.origin(e), to = mesh_.destination(e);
+  const bool fan_at_a = fan_at(mesh_, e, from).exists(), fan_at_b = fan_at(mesh_, e, to).exists();
+  if (fan_at_a != fan_at_b) return split_with_fan(e, fan_at_a ? from : to);
   const auto sample = terrain_.is_hard(e) ? std::nullopt : terrain_.sample_inside(e, 0.5);
   return split(e, sample.value_or(midpoint(a, b)));
 }
@@ -75,7 +73,11 @@ bool SurfaceEditor::split(HalfEdge e, Point p) {
   return true;
 }
 
-bool SurfaceEditor::split_with_fan(HalfEdge e) {
+bool SurfaceEditor::split_with_fan(HalfEdge e, VertexId center) {
+  if (mesh_.vertex_count() + fan_at(mesh_, e, center).edges.size() > most_vertices_) {
+    limited_ = true;
+    return false;
+  }
   const bool planar = flips_.is_planar(e.triangle);
   const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
   if (split.vertices.empty()) return false;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,7 +43,8 @@ class SurfaceEditor {
 
   /// Cuts constrained edge `e` in half, at a sample near there if one is on it. An edge that meets
   /// another below 60 degrees is cut as refinement does, so that the other is cut alike.
-  /// \return false if it may not be cut, or parts would be shorter than `least`
+  /// \return false if it may not be cut, parts would be shorter than `least`, or there would be too
+  ///         many vertices
   bool cut(HalfEdge e, double least);
   /// Cuts it at `p`, a place on it up to rounding.
   bool cut_at(HalfEdge e, Point p);
@@ -58,6 +60,14 @@ class SurfaceEditor {
   /// What was put aside goes back to the metric of space.
   void flip_planar_back();
 
+  /// No cut of several edges at once makes more vertices than this.
+  void set_most_vertices(std::size_t most) {
+    most_vertices_ = most;
+    limited_ = false;
+  }
+  /// True if that kept an edge from being cut.
+  bool limited() const { return limited_; }
+
   /// How far vertices that no sample asks for stay from others: a cell, a trifle less.
   double clearance() const { return clearance_; }
   /// The shortest edge that makes sense in these coordinates.
@@ -69,7 +79,7 @@ class SurfaceEditor {
 
  private:
   bool split(HalfEdge e, Point p);
-  bool split_with_fan(HalfEdge e);
+  bool split_with_fan(HalfEdge e, VertexId center);
   void settle(bool planar);
   void set_circle_aside(TriangleId t);
 
@@ -79,6 +89,8 @@ class SurfaceEditor {
   SurfaceFlips flips_;
   SurfaceStar star_;
   double clearance_, floor_;
+  std::size_t most_vertices_ = std::numeric_limits<std::size_t>::max();
+  bool limited_ = false;
   std::size_t moves_ = 0, tame_ = 0, untame_ = 0;
   std::optional<HalfEdge> barrier_;
   std::vector<TriangleId> changed_;

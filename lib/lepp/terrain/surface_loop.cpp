@@ -1,18 +1,14 @@
 #include "lepp/terrain/surface_loop.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "lepp/geometry/predicates.hpp"
+#include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/lepp.hpp"
 
 namespace lepp {
 
 namespace {
 
-// Nearer to a constrained edge, in cells, a sample is on it.
-constexpr double on_line = 2 * same_place;
 // Halves of shorter edges, in cells, say no more than samples do.
 constexpr double long_edge = 2;
 
@@ -28,12 +24,11 @@ SurfaceLoop::SurfaceLoop(TerrainMesh& terrain, double min_angle_deg, std::functi
       plan_bound_(AngleTest::squared_cos(plan_angle_deg(min_angle_deg))),
       editor_(terrain, plan_angle_deg(min_angle_deg)),
       repair_(editor_, min_angle_deg, plan_angle_deg(min_angle_deg)),
-      budget_(8 * terrain.grid().size() + 50 * (mesh_.vertex_count() + 1000)) {
-  freeze();
-}
+      budget_(vertex_budget(terrain)) {}
 
 void SurfaceLoop::run(double error, std::size_t vertices) {
   most_vertices_ = vertices;
+  editor_.set_most_vertices(vertices);
   start(error);
   while (mesh_.vertex_count() < most_vertices_ && may_go_on() && take_turn()) {
   }
@@ -49,23 +44,24 @@ bool SurfaceLoop::may_go_on() {
 
 void SurfaceLoop::take_over(std::span<const Unfinished> unfinished) {
   is_new_ = true;
-  repair_.forget_kept_border();
+  repair_.at_kept_border().clear();
   for (const Unfinished& u : unfinished) {
-    if (u.reason == Reason::kept_border) repair_.note_kept_border(u.triangle);
+    if (u.reason == Reason::kept_border) repair_.at_kept_border().add(mesh_, u.triangle);
   }
 }
 
 void SurfaceLoop::start(double error) {
   error_ = error;
-  rescan_everywhere();
+  // Rules that go by errors need those of the worst samples.
+  terrain_.set_enough(std::numeric_limits<double>::infinity());
+  terrain_.rescan_all();
   editor_.flips().set_error(error);
   repair_.set_error(error);
-  heap_.emplace(error);
+  heap_ = errors_above(terrain_, error);
   thin_ = {};
   small_ = {};
   for (std::size_t i = 0; i < mesh_.triangle_count(); ++i) {
     const TriangleId t(i);
-    heap_->set(t, terrain_.error(t));
     const auto [a, b, c] = mesh_.corners(t);
     if (!is_new_) add_if_thin(t);
     if (!is_new_ || !angle_.is_below(a, b, c)) add_if_small(t);
@@ -75,22 +71,7 @@ void SurfaceLoop::start(double error) {
   note_changes();
 }
 
-// Rules that go by errors need those of the worst samples.
-void SurfaceLoop::rescan_everywhere() {
-  terrain_.set_enough(std::numeric_limits<double>::infinity());
-  std::vector<TriangleId> all;
-  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) all.emplace_back(t);
-  terrain_.rescan(all);
-}
-
-double SurfaceLoop::largest_error() const {
-  double largest = 0;
-  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
-    largest = std::max(largest, terrain_.error(TriangleId(t)));
-  }
-  // Nothing left to do: what is still off cannot be mended.
-  return heap_->top() ? largest : std::min(largest, error_);
-}
+double SurfaceLoop::largest_error() const { return lepp::largest_error(terrain_, *heap_); }
 
 void SurfaceLoop::add_if_thin(TriangleId t) {
   const auto [a, b, c] = mesh_.corners(t);
@@ -135,7 +116,7 @@ bool SurfaceLoop::take_turn() {
   } else if (editor_.flips().any_planar()) {
     return flip_back();
   } else if (const auto small = next(small_)) {
-    if (repair_.is_improvable(*small)) repair_.improve(*small, Kind::space);
+    if (is_improvable(mesh_, *small, editor_.floor())) repair_.improve(*small, Kind::space);
   } else {
     return false;
   }
@@ -145,7 +126,7 @@ bool SurfaceLoop::take_turn() {
 
 // A cut elsewhere, or a vertex, may leave the triangle to be tried again.
 void SurfaceLoop::widen(TriangleId t) {
-  if (!repair_.is_improvable(t)) return;
+  if (!is_improvable(mesh_, t, editor_.floor())) return;
   const auto before = mesh_.vertices(t);
   repair_.improve(t, Kind::plan);
   if (editor_.has_changed() && mesh_.vertices(t) == before) add_if_thin(t);
@@ -173,20 +154,15 @@ void SurfaceLoop::reduce_error(TriangleId t) {
 // \return true if the sample is on a line; then there is no other place for it
 bool SurfaceLoop::cut_line_at(TriangleId t, Sample s) {
   const Point p = terrain_.space().place(s);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const HalfEdge e{t, i};
-    if (!mesh_.is_constrained(e)) continue;
-    const Point a = mesh_.point(mesh_.origin(e)), b = mesh_.point(mesh_.destination(e));
-    const double twice_area = cross(b - a, p - a);
-    if (twice_area * twice_area > on_line * on_line * squared_distance(a, b)) continue;
-    if (terrain_.is_hard(e)) return true;
-    const double part = dot(p - a, b - a) / squared_distance(a, b);
-    const auto near = terrain_.sample_inside(e, part);
-    if (near && editor_.cut_at(e, *near)) return true;
-    if (!editor_.cut_at(e, p)) editor_.cut_at(e, a + part * (b - a));
-    return true;
-  }
-  return false;
+  const auto e = terrain_.constrained_edge_at(t, p);
+  if (!e) return false;
+  if (terrain_.is_hard(*e)) return true;
+  const Point a = mesh_.point(mesh_.origin(*e)), b = mesh_.point(mesh_.destination(*e));
+  const double part = dot(p - a, b - a) / squared_distance(a, b);
+  const auto near = terrain_.sample_inside(*e, part);
+  if (near && editor_.cut_at(*e, *near)) return true;
+  if (!editor_.cut_at(*e, p)) editor_.cut_at(*e, a + part * (b - a));
+  return true;
 }
 
 // Inserts if the star is good, else remembers the place if it is the best so far.
@@ -195,12 +171,12 @@ bool SurfaceLoop::take_if_good(Point p, double badness, TerrainMetric metric) {
     editor_.fill(metric);
     return true;
   }
-  if (!best_ || badness < best_->badness) best_ = Candidate{p, badness};
+  best_.note(p, badness);
   return false;
 }
 
 bool SurfaceLoop::insert_best(TriangleId t, TerrainMetric metric) {
-  if (!best_ || !editor_.grow(t, best_->place, metric)) return false;
+  if (!best_.exists() || !editor_.grow(t, best_.place(), metric)) return false;
   editor_.fill(metric);
   return true;
 }
@@ -222,7 +198,7 @@ bool SurfaceLoop::try_in_space(TriangleId t, Point p) {
 // The worst sample if its star is good in space, else a good place in that star, else the end of
 // the LEPP; else whichever of them is best.
 bool SurfaceLoop::insert_in_space(TriangleId t, Point p) {
-  best_.reset();
+  best_.clear();
   if (try_in_space(t, p)) return true;
   if (editor_.grow(t, p, TerrainMetric::surface)) {
     const auto place = repair_.good_place_near(p, Kind::space);
@@ -246,7 +222,7 @@ bool SurfaceLoop::try_in_plan(TriangleId t, Point p) {
 
 // The same in plan; at last the worst sample itself, whatever its star is like.
 void SurfaceLoop::insert_in_plan(TriangleId t, Point p) {
-  best_.reset();
+  best_.clear();
   if (try_in_plan(t, p)) return;
   if (editor_.grow(t, p, TerrainMetric::planar)) {
     const auto place = repair_.good_place_near(p, Kind::plan);

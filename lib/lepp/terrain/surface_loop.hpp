@@ -6,9 +6,9 @@
 #include <optional>
 #include <queue>
 #include <span>
-#include <vector>
 
 #include "lepp/refine/angle_test.hpp"
+#include "lepp/terrain/best_place.hpp"
 #include "lepp/terrain/error_heap.hpp"
 #include "lepp/terrain/surface_editor.hpp"
 #include "lepp/terrain/surface_repair.hpp"
@@ -38,11 +38,13 @@ class SurfaceLoop {
   void run(double error, std::size_t vertices);
 
   /// Vertices that exist now stay where they are from now on.
-  void freeze() { repair_.set_frozen(mesh_.vertex_count()); }
+  void freeze() { repair_.freeze(); }
   double largest_error() const;
   bool cancelled() const { return cancelled_; }
-  /// True if `t` could not be bettered because a side would have to be cut that is to stay whole.
-  bool met_kept_border(TriangleId t) const { return repair_.met_kept_border(t); }
+  /// What could not be bettered because a side would have to be cut that is to stay whole.
+  const AtKeptBorder& at_kept_border() const { return repair_.at_kept_border(); }
+  /// True if the last run() left an edge whole for want of vertices.
+  bool limited() const { return editor_.limited(); }
   bool out_of_budget() const {
     return mesh_.vertex_count() >= budget_ || turns_ / turns_per_vertex >= budget_;
   }
@@ -68,14 +70,8 @@ class SurfaceLoop {
     }
   };
   using Targets = std::priority_queue<Target>;
-  // A place for a vertex, and the worst angle of the star it would get.
-  struct Candidate {
-    Point place;
-    double badness;
-  };
 
   void start(double error);
-  void rescan_everywhere();
   bool may_go_on();
   bool take_turn();
   void widen(TriangleId t);
@@ -105,10 +101,10 @@ class SurfaceLoop {
   std::optional<ErrorHeap> heap_;
   Targets thin_, small_;  // below the bound in plan, and in space
   double error_ = 0;
-  std::size_t budget_;  // of vertices: eight times the samples, and what refine() gives a domain
+  std::size_t budget_;  // of vertices
   std::size_t most_vertices_ = 0, turns_ = 0, work_at_flip_ = 0;
   bool cancelled_ = false, is_new_ = true;
-  std::optional<Candidate> best_;  // of the turn in hand
+  BestPlace best_;  // of the turn in hand
 };
 
 }  // namespace lepp

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "lepp/terrain/terrain_errors.hpp"
 #include "lepp/triangulation/encroached.hpp"
 #include "lepp/triangulation/lepp.hpp"
-#include "lepp/triangulation/sharp_vertex.hpp"
 
 namespace lepp {
 
 namespace {
 
-constexpr std::uint8_t most_moves = 20;
-constexpr std::size_t most_corners = 12;  // of a star whose center moves
 // The parts of the bound that moves try to reach, one after the other.
 constexpr double rungs[] = {1, 0.75, 0.55};
 
@@ -32,13 +31,9 @@ SurfaceRepair::SurfaceRepair(SurfaceEditor& editor, double min_angle_deg, double
       terrain_(editor.terrain()),
       mesh_(editor.mesh()),
       plan_badness_(AngleTest::squared_cos(plan_angle_deg)),
-      off_centre_(min_angle_deg) {
+      off_centre_(min_angle_deg),
+      free_stars_(mesh_) {
   for (const double part : rungs) ladder_.emplace_back(part * min_angle_deg);
-}
-
-bool SurfaceRepair::is_improvable(TriangleId t) const {
-  return !smallest_angle_between_constrained(mesh_, t) && !shortest_edge_is_seditious(mesh_, t) &&
-         !at_input_feature(mesh_, t, 2 * editor_.floor());
 }
 
 void SurfaceRepair::improve(TriangleId t, Kind kind) {
@@ -54,30 +49,21 @@ void SurfaceRepair::improve(TriangleId t, Kind kind) {
 
 // ---- moving --------------------------------------------------------------------------------
 
-bool SurfaceRepair::find_free_star(TriangleId t, std::uint32_t corner) {
-  const VertexId v = mesh_.vertex(t, corner);
-  if (v.index() < frozen_ || mesh_.origin_of(v).kind != VertexOrigin::Kind::interior) return false;
-  if (moves_.size() <= v.index()) moves_.resize(2 * mesh_.vertex_count(), 0);
-  return moves_[v.index()] < most_moves && find_star(mesh_, t, corner, star_, most_corners);
-}
-
 // To a place where all angles of the star reach the rung, and the smallest is larger than it was.
 bool SurfaceRepair::move_corner(TriangleId t, std::uint32_t corner, Kind kind, Rung& rung) {
-  if (!find_free_star(t, corner)) return false;
+  if (!free_stars_.find(t, corner, star_)) return false;
   const VertexId v = mesh_.vertex(t, corner);
   const auto place = place_in_star(rung, mesh_.point(v), kind);
   if (!place) return false;
   const double before = badness_of_star(editor_.metric().at(v), kind);
-  double most_error = error_;
-  for (const auto& side : star_.link) {
-    most_error = std::max(most_error, terrain_.error(side.edge.triangle));
-  }
+  const double most_error = std::max(error_, largest_error(terrain_, star_));
   for (const Point p : {terrain_.snapped(*place), terrain_.clear_of_samples(*place, clear)}) {
     if (!sees_link(star_, p) || encroaches(p)) continue;
     const double after = badness_of_star(editor_.metric().at(p), kind);
-    if (after > rung.badness || after >= before || error_of_star(p) > most_error) continue;
+    if (after > rung.badness || after >= before) continue;
+    if (error_of_star(terrain_, star_, p) > most_error) continue;
     editor_.move(v, star_, p);
-    ++moves_[v.index()];
+    free_stars_.note_move(v);
     return true;
   }
   return false;
@@ -117,18 +103,6 @@ bool SurfaceRepair::encroaches(Point p) const {
   return std::ranges::any_of(star_.link, [&](const Star::LinkEdge& side) {
     return side.constrained && would_encroach(mesh_, side.edge, p);
   });
-}
-
-double SurfaceRepair::error_of_star(Point p) const {
-  const TerrainCorner center = terrain_.space().corner(p, terrain_.height_of(p));
-  double worst = 0;
-  for (const auto& side : star_.link) {
-    const TerrainCorner a = terrain_.corner(mesh_.origin(side.edge)),
-                        b = terrain_.corner(mesh_.destination(side.edge));
-    const Sides hard = terrain_.hard_side(side.edge, 0);
-    worst = std::max(worst, terrain_.scan().worst({center, a, b}, hard).error);
-  }
-  return worst;
 }
 
 // ---- inserting -----------------------------------------------------------------------------
@@ -176,12 +150,8 @@ bool SurfaceRepair::insert_in_plan(TriangleId t) {
 }
 
 bool SurfaceRepair::cut(TriangleId t, HalfEdge e, double least) {
-  if (!terrain_.may_cut_with_fan(e)) note_kept_border(t);
+  if (!terrain_.may_cut_with_fan(e)) at_kept_border_.add(mesh_, t);
   return editor_.cut(e, least);
-}
-
-bool SurfaceRepair::met_kept_border(TriangleId t) const {
-  return std::ranges::find(at_kept_border_, mesh_.vertices(t)) != at_kept_border_.end();
 }
 
 // A constrained edge in the way, or encroached, is cut instead.

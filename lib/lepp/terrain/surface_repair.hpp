@@ -1,13 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <deque>
 #include <optional>
-#include <vector>
 
 #include "lepp/refine/feasible_place.hpp"
 #include "lepp/refine/off_centre.hpp"
+#include "lepp/terrain/free_stars.hpp"
+#include "lepp/terrain/small_angles.hpp"
 #include "lepp/terrain/surface_editor.hpp"
 
 namespace lepp {
@@ -25,21 +24,17 @@ class SurfaceRepair {
   /// \param plan_angle_deg  what angles in plan are too small
   SurfaceRepair(SurfaceEditor& editor, double min_angle_deg, double plan_angle_deg);
 
-  /// Vertices below this stay where they are.
-  void set_frozen(std::size_t vertices) { frozen_ = vertices; }
+  /// Vertices that exist now stay where they are from now on.
+  void freeze() { free_stars_.freeze(); }
   /// No move takes the error of its triangles above this, or above what it was if that is more.
   void set_error(double error) { error_ = error; }
-
-  /// False where constrained edges force the angles of `t`.
-  bool is_improvable(TriangleId t) const;
 
   /// A good place in a star, or in the star that the editor grew last, by the metric of `kind`.
   std::optional<Point> good_place_near(Point p, Kind kind);
 
   /// Triangles that could not be bettered because of a side that has to stay whole.
-  void note_kept_border(TriangleId t) { at_kept_border_.push_back(mesh_.vertices(t)); }
-  void forget_kept_border() { at_kept_border_.clear(); }
-  bool met_kept_border(TriangleId t) const;
+  AtKeptBorder& at_kept_border() { return at_kept_border_; }
+  const AtKeptBorder& at_kept_border() const { return at_kept_border_; }
 
   /// One change, or none if nothing helps.
   void improve(TriangleId t, Kind kind);
@@ -53,12 +48,10 @@ class SurfaceRepair {
     FeasiblePlace place;
   };
 
-  bool find_free_star(TriangleId t, std::uint32_t corner);
   std::optional<Point> place_in_star(Rung& rung, Point near, Kind kind);
   bool move_corner(TriangleId t, std::uint32_t corner, Kind kind, Rung& rung);
   double badness_of_star(const SpacePoint& p, Kind kind) const;
   bool encroaches(Point p) const;
-  double error_of_star(Point p) const;
   bool insert_off_centre_in_space(TriangleId t);
   bool insert_in_plan(TriangleId t);
   bool cut(TriangleId t, HalfEdge e, double least);
@@ -70,11 +63,10 @@ class SurfaceRepair {
   double plan_badness_;  // cos^2 of the angle in plan
   OffCentre off_centre_;
   std::deque<Rung> ladder_;
-  std::size_t frozen_ = 0;
   double error_ = 0;
   Star star_, spread_;
-  std::vector<std::uint8_t> moves_;  // by vertex
-  std::vector<std::array<VertexId, 3>> at_kept_border_;
+  FreeStars free_stars_;
+  AtKeptBorder at_kept_border_;
 };
 
 }  // namespace lepp

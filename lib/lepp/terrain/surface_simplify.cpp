@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "lepp/geometry/compensated_sum.hpp"
-#include "lepp/refine/refine.hpp"
 #include "lepp/terrain/lepp_simplify.hpp"
 #include "lepp/terrain/surface_loop.hpp"
 #include "lepp/terrain/surface_metric.hpp"
@@ -53,9 +52,7 @@ class SurfaceSimplification {
   // Undoes the flips of a level that ended before the coarse mesh was complete.
   void make_planar() {
     make_delaunay(terrain_.mesh());
-    std::vector<TriangleId> all;
-    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) all.emplace_back(t);
-    terrain_.rescan(all);
+    terrain_.rescan_all();
   }
 
   // The planar simplification: as if any error would do, or to the error of the first level where
@@ -77,20 +74,11 @@ class SurfaceSimplification {
   }
 
   std::vector<Unfinished> small_angles_in_plan() const {
-    const bool used_up = loop_.out_of_budget() || mesh_.vertex_count() >= options_.max_vertices;
-    const Reason otherwise = loop_.cancelled() ? Reason::cancelled
-                             : used_up         ? Reason::budget
-                                               : Reason::size_floor;
-    RefineOptions asked;
-    asked.min_angle_deg = std::min(SurfaceLoop::largest_plan_angle_deg, options_.min_angle_deg);
-    asked.obtuse = ObtuseRule::ignore;
-    std::vector<Unfinished> unfinished = judge(mesh_, asked, otherwise).unfinished;
-    for (Unfinished& u : unfinished) {
-      if (!is_forced_by_input(u.reason) && loop_.met_kept_border(u.triangle)) {
-        u.reason = Reason::kept_border;
-      }
-    }
-    return unfinished;
+    const bool used_up =
+        loop_.out_of_budget() || loop_.limited() || mesh_.vertex_count() >= options_.max_vertices;
+    return small_angles(mesh_,
+                        std::min(SurfaceLoop::largest_plan_angle_deg, options_.min_angle_deg),
+                        {loop_.cancelled(), used_up}, loop_.at_kept_border());
   }
 
   TerrainMesh& terrain_;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "lepp/terrain/levels.hpp"
 #include "lepp/terrain/simplify.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -72,7 +73,7 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, Tin tin, double rounding)
       scan_(grid, on_line_ + same_place * std::max(1.0, grid.aspect())) {
   state_.tin = std::move(tin);
   state_.kept.assign(mesh().vertex_count(), 0);
-  if (!state_.tin.heights.empty()) scan_all();
+  if (!state_.tin.heights.empty()) rescan_all();
 }
 
 TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
@@ -89,12 +90,7 @@ TerrainMesh::TerrainMesh(const HeightGrid& grid, const TerrainDomain& domain)
     const auto v = start.vertex_of_point[i];
     if (v && domain.kept_border[i]) state_.kept[v->index()] = 1;
   }
-  scan_all();
-}
-
-void TerrainMesh::scan_all() {
-  state_.worst.resize(mesh().triangle_count());
-  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
+  rescan_all();
 }
 
 void TerrainMesh::scan_triangle(TriangleId t) {
@@ -107,6 +103,11 @@ void TerrainMesh::scan_triangle(TriangleId t) {
 void TerrainMesh::rescan(std::span<const TriangleId> changed) {
   state_.worst.resize(mesh().triangle_count());
   for (const TriangleId t : changed) scan_triangle(t);
+}
+
+void TerrainMesh::rescan_all() {
+  state_.worst.resize(mesh().triangle_count());
+  for (std::size_t t = 0; t < state_.worst.size(); ++t) scan_triangle(TriangleId(t));
 }
 
 void TerrainMesh::choose_diagonals(std::vector<TriangleId>& changed, double limit) {
@@ -239,7 +240,9 @@ bool TerrainMesh::insert_inside(TriangleId t, Point p, std::vector<TriangleId>& 
 }
 
 Removal TerrainMesh::remove(VertexId v, double limit) {
-  Removal removal = *remove_vertex(mesh(), v);
+  std::optional<Removal> removed = remove_vertex(mesh(), v);
+  assert(removed);
+  Removal removal = std::move(*removed);
   const auto take_place = [&](auto& of_vertices) {
     of_vertices[v.index()] = of_vertices.back();
     of_vertices.pop_back();

@@ -52,6 +52,7 @@ class TerrainMesh {
   void set_enough(double error) { enough_ = error; }
   /// Looks at the samples of triangles that changed.
   void rescan(std::span<const TriangleId> changed);
+  void rescan_all();
   /// Where four corners lie on a circle either diagonal is Delaunay. Of those beside triangles in
   /// `changed` that are off by more than `limit`, takes the one that is off less.
   /// \param changed  the other triangle of each pair is appended
@@ -122,7 +123,6 @@ class TerrainMesh {
   void set_height(VertexId v) { state_.tin.heights[v.index()] = height_of(mesh().point(v)); }
 
  private:
-  void scan_all();
   void scan_triangle(TriangleId t);
   bool choose_diagonal(HalfEdge e);
   bool is_on(HalfEdge e, Point p) const;

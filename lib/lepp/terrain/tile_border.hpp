@@ -18,8 +18,7 @@ namespace lepp {
 /// match in length.
 /// \param heights  NaN where there is no data
 /// \param corners  ascending: more samples that end a run, where the outline on one side of the
-/// line
-///                 leaves it (border_corners() in grid_part.hpp)
+///                 line leaves it (border_corners() in grid_part.hpp)
 /// \return  ascending indices; both ends of each run of samples with data are among them
 /// Cost     O(n log n)
 std::vector<std::uint32_t> border_samples(std::span<const double> heights, double max_error,

@@ -1,6 +1,7 @@
 #include "lepp/terrain/tin_clean_up.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "lepp/geometry/predicates.hpp"
@@ -10,13 +11,6 @@
 #include "lepp/triangulation/sharp_vertex.hpp"
 
 namespace lepp {
-
-namespace {
-
-// A star of more triangles hardly ever has good ones without its center.
-constexpr std::size_t most_corners = 12;
-
-}  // namespace
 
 TinCleanUp::TinCleanUp(TerrainMesh& terrain, double min_angle_deg, double error, std::size_t frozen,
                        std::function<bool()> go_on)
@@ -63,9 +57,9 @@ bool TinCleanUp::collect_link(VertexId v) {
     simple = !mesh_.is_constrained(out) || mesh_.is_boundary(out);
     add(mesh_.destination(out), {t, corner});
     if (mesh_.is_boundary(in)) add(mesh_.origin(in), in);  // in its place the side will be whole
-    return simple && corners.size() <= most_corners;
+    return simple && corners.size() <= FreeStars::most_triangles;
   });
-  if (!simple || corners.size() < 3 || corners.size() > most_corners) return false;
+  if (!simple || corners.size() < 3 || corners.size() > FreeStars::most_triangles) return false;
   const bool is_inside = mesh_.origin_of(v).kind == VertexOrigin::Kind::interior;
   return is_inside || !any_sharp_ || !is_side_encroached();
 }
@@ -115,22 +109,20 @@ std::size_t TinCleanUp::merge() {
   for (std::size_t i = before; i-- > frozen_;) {
     if (i >= mesh_.vertex_count() || single_[i] != 0) continue;
     if (!go_on_()) break;
-    if (!is_free(VertexId(i)) || !merge_with_neighbour(VertexId(i))) single_[i] = 1;
+    if (!is_free(mesh_, VertexId(i), frozen_) || !merge_with_neighbour(VertexId(i))) single_[i] = 1;
   }
   return before - mesh_.vertex_count();
-}
-
-bool TinCleanUp::is_free(VertexId v) const {
-  return v.index() >= frozen_ && mesh_.origin_of(v).kind == VertexOrigin::Kind::interior;
 }
 
 // Pairs are tried by the later vertex, and by the other one if that has changed since.
 bool TinCleanUp::merge_with_neighbour(VertexId v) {
   const HalfEdge out = mesh_.leaving(v);
-  if (!find_star(mesh_, out.triangle, next_corner(out.edge), whole_, most_corners)) return false;
+  if (!find_star(mesh_, out.triangle, next_corner(out.edge), whole_, FreeStars::most_triangles))
+    return false;
   for (std::size_t i = 0; i < whole_.size(); ++i) {
     const VertexId w = mesh_.origin(whole_.link[i].edge);
-    if (!is_free(w) || (v < w && single_[w.index()] != 0) || !join_stars(i)) continue;
+    if (!is_free(mesh_, w, frozen_) || (v < w && single_[w.index()] != 0) || !join_stars(i))
+      continue;
     suspects_ = {terrain_.corner(v), terrain_.corner(w)};
     if (const auto p = place_for_both(midpoint(mesh_.point(v), mesh_.point(w)))) {
       replace_both(v, w, *p);
@@ -147,7 +139,8 @@ bool TinCleanUp::merge_with_neighbour(VertexId v) {
 //         y
 bool TinCleanUp::join_stars(std::size_t i) {
   const HalfEdge f = *mesh_.twin(previous_edge(whole_.link[i].edge));
-  if (!find_star(mesh_, f.triangle, next_corner(f.edge), part_, most_corners)) return false;
+  if (!find_star(mesh_, f.triangle, next_corner(f.edge), part_, FreeStars::most_triangles))
+    return false;
   star_.link.clear();
   const std::size_t n = whole_.size();
   for (std::size_t k = i + 1; k + 1 < i + n; ++k) {
@@ -183,9 +176,8 @@ bool TinCleanUp::has_good_angles(Point p) const {
 }
 
 //      a---c         Where the spoke p b is not Delaunay there will be an ear a b c: all such
-//      spokes
-//     / \ /|         go first. The ears are Delaunay, so that no angle of theirs is below the
-//    p---b |  ...    smallest of the star.
+//     / \ /|         spokes go first. The ears are Delaunay, so that no angle of theirs is below
+//    p---b |  ...    the smallest of the star.
 bool TinCleanUp::is_star_within_bounds(Point p) {
   auto& rim = filling_.corners();
   rim.clear();
@@ -238,12 +230,13 @@ void TinCleanUp::replace_both(VertexId v, VertexId w, Point p) {
   const Removal removal = remove(std::min(v, w));
   changed_.clear();
   const auto at = locate(mesh_, p, removal.changed.front());
-  if (at && terrain_.insert_inside(at->triangle, p, changed_)) {
-    needed_.push_back(0);
-    single_.push_back(0);
-    terrain_.rescan(changed_);
-    terrain_.choose_diagonals(changed_, error_);
-  }
+  assert(at);  // it sees the whole link of both
+  [[maybe_unused]] const bool inserted = terrain_.insert_inside(at->triangle, p, changed_);
+  assert(inserted);
+  needed_.push_back(0);
+  single_.push_back(0);
+  terrain_.rescan(changed_);
+  terrain_.choose_diagonals(changed_, error_);
   note_changes(changed_);
 }
 

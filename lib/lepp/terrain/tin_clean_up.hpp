@@ -9,6 +9,7 @@
 
 #include "lepp/refine/angle_test.hpp"
 #include "lepp/refine/feasible_place.hpp"
+#include "lepp/terrain/free_stars.hpp"
 #include "lepp/terrain/star_filling.hpp"
 #include "lepp/terrain/terrain_mesh.hpp"
 #include "lepp/triangulation/relocate.hpp"
@@ -42,7 +43,6 @@ class TinCleanUp {
   void note_changes(const std::vector<TriangleId>& changed);
 
   bool merge_with_neighbour(VertexId v);
-  bool is_free(VertexId v) const;
   bool join_stars(std::size_t i);
   std::optional<Point> place_for_both(Point near);
   bool has_good_angles(Point p) const;

@@ -11,8 +11,8 @@ namespace lepp {
 
 /// What a TIN by the surface metric claims besides M1 to M5.
 struct SurfaceClaims {
-  double bound = 0;            ///< of the error, as SurfaceReport has it
-  double plan_angle_deg = 15;  ///< what flips had to keep in plan
+  double bound = 0;                              ///< of the error, as SurfaceReport has it
+  double plan_angle_deg = 15;                    ///< what flips had to keep in plan
   std::vector<SphereViolation> violations = {};  ///< as SurfaceReport lists them
 };
 
