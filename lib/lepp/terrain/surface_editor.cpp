@@ -74,10 +74,7 @@ bool SurfaceEditor::split(HalfEdge e, Point p) {
 }
 
 bool SurfaceEditor::split_with_fan(HalfEdge e, VertexId center) {
-  if (mesh_.vertex_count() + fan_at(mesh_, e, center).edges.size() > most_vertices_) {
-    limited_ = true;
-    return false;
-  }
+  if (mesh_.vertex_count() + fan_at(mesh_, e, center).edges.size() > most_vertices_) return false;
   const bool planar = flips_.is_planar(e.triangle);
   const ConstrainedSplit split = split_constrained_edge(mesh_, e, floor_);
   if (split.vertices.empty()) return false;

@@ -61,12 +61,7 @@ class SurfaceEditor {
   void flip_planar_back();
 
   /// No cut of several edges at once makes more vertices than this.
-  void set_most_vertices(std::size_t most) {
-    most_vertices_ = most;
-    limited_ = false;
-  }
-  /// True if that kept an edge from being cut.
-  bool limited() const { return limited_; }
+  void set_most_vertices(std::size_t most) { most_vertices_ = most; }
 
   /// How far vertices that no sample asks for stay from others: a cell, a trifle less.
   double clearance() const { return clearance_; }
@@ -90,7 +85,6 @@ class SurfaceEditor {
   SurfaceStar star_;
   double clearance_, floor_;
   std::size_t most_vertices_ = std::numeric_limits<std::size_t>::max();
-  bool limited_ = false;
   std::size_t moves_ = 0, tame_ = 0, untame_ = 0;
   std::optional<HalfEdge> barrier_;
   std::vector<TriangleId> changed_;

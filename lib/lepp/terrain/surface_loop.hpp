@@ -43,8 +43,6 @@ class SurfaceLoop {
   bool cancelled() const { return cancelled_; }
   /// What could not be bettered because a side would have to be cut that is to stay whole.
   const AtKeptBorder& at_kept_border() const { return repair_.at_kept_border(); }
-  /// True if the last run() left an edge whole for want of vertices.
-  bool limited() const { return editor_.limited(); }
   bool out_of_budget() const {
     return mesh_.vertex_count() >= budget_ || turns_ / turns_per_vertex >= budget_;
   }

@@ -74,8 +74,7 @@ class SurfaceSimplification {
   }
 
   std::vector<Unfinished> small_angles_in_plan() const {
-    const bool used_up =
-        loop_.out_of_budget() || loop_.limited() || mesh_.vertex_count() >= options_.max_vertices;
+    const bool used_up = loop_.out_of_budget() || mesh_.vertex_count() >= options_.max_vertices;
     return small_angles(mesh_,
                         std::min(SurfaceLoop::largest_plan_angle_deg, options_.min_angle_deg),
                         {loop_.cancelled(), used_up}, loop_.at_kept_border());
