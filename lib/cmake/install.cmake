@@ -46,10 +46,14 @@ target_sources(lepp_core PUBLIC FILE_SET HEADERS
   lepp/bisection/transfer.hpp
   lepp/bisection/transfer_matrix.hpp  # the one that needs Eigen; no other includes it
   lepp/bisection/vertices_made.hpp
+  lepp/terrain/fit_heights.hpp
   lepp/terrain/grid_part.hpp
   lepp/terrain/height_grid.hpp
   lepp/terrain/heights.hpp
+  lepp/terrain/join_tins.hpp
   lepp/terrain/nonobtuse_tin.hpp
+  lepp/terrain/sample_set.hpp
+  lepp/terrain/samples_inside.hpp
   lepp/terrain/simplify.hpp
   lepp/terrain/surface_report.hpp
   lepp/terrain/terrain_domain.hpp
