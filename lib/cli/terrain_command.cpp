@@ -60,6 +60,7 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
     count_from_origin({command.origin[0], command.origin[1]}, piece, job.domain, warnings);
   }
   check_terrain_files(command, piece.place().whole);
+  warn_of_old_prj(command, piece.place().whole, warnings);
   const double reading = seconds_since(start);
   MadeTerrain made = make_terrain(piece.grid, piece.place(), job);
   const int status = status_of(made.report);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "pipeline/obj_tin.hpp"
+#include "support/real_inputs.hpp"
 
 using namespace lepp;
 using namespace lepp::test;
@@ -245,6 +246,50 @@ TEST_CASE("no file beside an input is replaced, and no two outputs are one file"
   CHECK(folder.text("dem.prj") == crs + "\n\n");
   CHECK(folder.text("lines.prj") == "another");
 }
+
+TEST_CASE("a .prj beside a mesh that has no coordinate system is warned of") {
+  const std::string crs = R"(PROJCS["made up",GEOGCS["g",DATUM["d",SPHEROID["s",6378137,298]]]])";
+  const ScratchFolder folder;
+  fs::copy(fs::path(LEPP_MESHES) / "terrain" / "hill.asc", folder / "dem.asc");
+  folder.put("dem.prj", crs);
+  const auto warnings = [&](const std::string& options) {
+    const Outcome made =
+        run(folder.path(), "terrain dem.asc --max-error 20 --force --json - " + options);
+    REQUIRE(made.status == 0);
+    return Json::parse(made.out)["warnings"].dump();
+  };
+  CHECK_FALSE(has(warnings("-o a.obj"), "a.prj"));
+  CHECK(has(warnings("-o a.obj --origin 431000 5103000"), "a.prj stands beside a mesh without"));
+  CHECK_FALSE(has(warnings("-o b.obj --origin 431000 5103000"), "stands beside"));
+  CHECK_FALSE(has(warnings("-o a.nc --origin 431000 5103000"), "stands beside"));
+  fs::remove(folder / "dem.prj");
+  folder.put("a_0_1.prj", crs);
+  CHECK(has(warnings("-o a.obj --tiles 1x2"), "a_0_1.prj stands beside"));
+  CHECK(folder.text("a.prj") == crs + "\n");
+}
+
+#ifdef LEPP_HAS_GDAL
+TEST_CASE("a .prj beside a GeoTIFF is no input of it: it knows its own system") {
+  const auto real = real_input("dem/lux_elev.tif");
+  if (!real) return;
+  const ScratchFolder folder;
+  fs::copy(*real, folder / "dem.tif");
+  folder.put("dem.prj", "of an earlier dem.tif");
+  const std::string command = "terrain dem.tif -q --max-error 20% -o dem.ply ";
+  const Outcome kept = run(folder.path(), command);
+  CHECK(kept.status == 5);
+  CHECK(has(kept.err, "dem.prj\n      exists already"));
+  CHECK(run(folder.path(), command + "--force").status == 0);
+  CHECK(has(folder.text("dem.prj"), "WGS 84"));
+  // Beside lines, which GDAL reads by it, it is one.
+  folder.put("other.json", R"({"type": "LineString", "coordinates": [[5.9, 49.6], [6.2, 49.8]]})");
+  folder.put("other.prj", "of lines");
+  CHECK(run(folder.path(),
+            "terrain dem.tif -q --max-error 20% -o other.ply --force "
+            "--breaklines other.json")
+            .status == 5);
+}
+#endif
 
 TEST_CASE("a tiling of one tile is one, too") {
   const ScratchFolder folder;
