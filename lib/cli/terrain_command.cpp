@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <new>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -114,6 +115,11 @@ int run(const TerrainCommand& command) {
   int status = done;
   try {
     status = command.has_tiles() ? run_tiles(command, report) : run_whole(command, report);
+  } catch (const std::bad_alloc&) {
+    print_what_there_is(command, report, start);
+    throw RefusedError(command.input.string(), "there is not enough memory for it",
+                       command.has_tiles() ? "ask for more and smaller --tiles"
+                                           : "read it in parts, with --tiles ROWSxCOLUMNS");
   } catch (const std::exception&) {
     print_what_there_is(command, report, start);
     throw;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "lepp/geometry/error.hpp"
-#include "lepp/geometry/text.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/hillshade.hpp"
 
 namespace lepp::cli {
@@ -20,7 +20,7 @@ constexpr std::array behind = {".aux.xml", ".ovr", ".msk", ".prj"};
 
 // GDAL takes the coordinate system of a GeoTIFF from itself, not from a .prj beside it.
 bool knows_its_crs(const fs::path& input, const HeightGrid& grid) {
-  const std::string kind = lower_case(input.extension().string());
+  const std::string kind = file_kind(input);
   return (kind == ".tif" || kind == ".tiff") && !grid.crs.empty();
 }
 
