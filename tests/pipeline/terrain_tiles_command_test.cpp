@@ -291,6 +291,31 @@ TEST_CASE("a .prj beside a GeoTIFF is no input of it: it knows its own system") 
 }
 #endif
 
+TEST_CASE("cells in another unit than metres are warned of where heights are compared with them") {
+  const std::string system = R"(PROJCS["p",GEOGCS["g",DATUM["d",SPHEROID["s",6378137,298]]],UNIT[)";
+  const std::string kilometres = system + R"("kilometre",1000]])";
+  const std::string metres = system + R"("metre",1]])";
+  const std::string feet_up = ",VERT_CS[\"v\",UNIT[\"foot\",0.3048]]]";
+  const auto warnings = [](const std::string& crs, const std::string& options) {
+    const ScratchFolder folder;
+    fs::copy(fs::path(LEPP_MESHES) / "terrain" / "hill.asc", folder / "dem.asc");
+    folder.put("dem.prj", crs);
+    const Outcome made =
+        run(folder.path(), "terrain dem.asc -o a.obj --max-error 20% --json - " + options);
+    REQUIRE(made.status == 0);
+    return Json::parse(made.out)["warnings"].dump();
+  };
+  CHECK(has(warnings(kilometres, "--picture a.svg"), "cells are measured in km"));
+  CHECK(has(warnings(kilometres, "--metric surface"), "heights are taken in the same unit; if"));
+  CHECK(has(warnings(kilometres, "--picture a.svg --tiles 1x2"), "cells are measured in km"));
+  CHECK(has(
+      warnings("COMPD_CS[\"c\"," + metres + feet_up, "--picture a.svg"),
+      "cells are measured in m and heights are taken in the same unit, though the file says ft"));
+  CHECK_FALSE(has(warnings(kilometres, ""), "same unit"));  // the plane knows no heights
+  CHECK_FALSE(has(warnings(kilometres, "--picture a.svg --cell 30000 30000"), "same unit"));
+  CHECK_FALSE(has(warnings(metres, "--picture a.svg"), "same unit"));
+}
+
 TEST_CASE("a tiling of one tile is one, too") {
   const ScratchFolder folder;
   const Outcome made = run(folder.path(), "terrain " + hill() +
