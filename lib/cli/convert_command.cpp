@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "inputs.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/geo.hpp"
 #include "lepp/io/poly.hpp"
 #include "outputs.hpp"
@@ -38,7 +39,7 @@ int to_geometry(const ConvertCommand& command, const std::string& kind) {
 }
 
 int run(const ConvertCommand& command) {
-  const std::string kind = command.output.target.extension().string();
+  const std::string kind = file_kind(command.output.target);
   if (kind == ".poly" || kind == ".geo") return to_geometry(command, kind);
   check_mesh_target(command.output, {command.input});
   std::vector<std::string> warnings;

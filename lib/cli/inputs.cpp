@@ -3,6 +3,7 @@
 #include <set>
 #include <system_error>
 
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/poly.hpp"
 #include "validators.hpp"
 
@@ -46,7 +47,7 @@ Pslg outline(const TriangleSoup& soup) {
 
 Input read_input(const std::filesystem::path& path, const GmshOptions& options) {
   static const std::set<std::string> of_gmsh{".geo", ".msh", ".msh2", ".msh4", ".gmsh"};
-  const std::string kind = path.extension().string();
+  const std::string kind = file_kind(path);
   std::error_code error;  // a file that is not there is for the readers to report
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(path.string(), "is a folder, not a file",

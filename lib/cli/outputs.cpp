@@ -1,10 +1,15 @@
 #include "outputs.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <system_error>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/atomic_files.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/poly.hpp"
 #include "lepp/io/vtu.hpp"
 
@@ -25,7 +30,7 @@ void add_output_options(CLI::App& command, OutputOptions& output, std::string& j
 }
 
 Files files_of(const fs::path& target) {
-  return target.extension() == ".ele" ? ele_files(target) : Files{target};
+  return file_kind(target) == ".ele" ? ele_files(target) : Files{target};
 }
 
 namespace {
@@ -33,7 +38,7 @@ namespace {
 // The files that reading `input` may read: those of Triangle come in sets of one name.
 Files files_read(const fs::path& input) {
   Files files{input};
-  const std::string kind = input.extension().string();
+  const std::string kind = file_kind(input);
   if (kind != ".ele" && kind != ".poly" && kind != ".node") return files;
   for (const char* other : {".ele", ".node", ".poly", ".edge"}) {
     fs::path file = input;
@@ -50,6 +55,27 @@ void refuse_inputs(const fs::path& target, const Files& inputs) {
       throw OutputError(target.string(), "is also the input", "choose another name");
     }
   }
+}
+
+std::string message_of(int error) { return std::generic_category().message(error); }
+
+// Found before any work rather than when the work is done.
+void check_place(const fs::path& target) {
+  std::error_code error;
+  if (fs::is_symlink(target, error) || fs::is_other(target, error))
+    return;  // seen when it is opened
+  if (fs::exists(target, error) && ::access(target.c_str(), W_OK) != 0) {
+    throw OutputError(target.string(), "cannot replace: " + message_of(errno),
+                      "choose a place you may write to");
+  }
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, error)) {
+    throw OutputError(target.string(), "there is no folder " + folder.string(),
+                      "make the folder first, or correct the path");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw OutputError(target.string(), "cannot make a file there: " + message_of(errno),
+                    "choose a place you may write to");
 }
 
 void print(std::FILE* stream, const std::string& text) {
@@ -69,6 +95,7 @@ void check_target(const fs::path& target, const Files& inputs, bool force) {
   if (!force && fs::is_regular_file(target, error)) {
     throw OutputError(target.string(), "exists already", "choose another name, or add --force");
   }
+  check_place(target);
 }
 
 void check_report_target(const std::string& json, const Files& inputs, const Files& outputs) {
@@ -84,10 +111,13 @@ void check_report_target(const std::string& json, const Files& inputs, const Fil
       throw OutputError(json, "is named for two outputs", "give --json another name");
     }
   }
+  if (fs::is_directory(json, error))
+    throw OutputError(json, "is a folder", "give the name of a file");
+  check_place(json);
 }
 
 void check_mesh_target(const OutputOptions& options, const Files& inputs) {
-  const std::string kind = options.target.extension().string();
+  const std::string kind = file_kind(options.target);
   if (kind != ".msh" && kind != ".vtu" && kind != ".ele") {
     throw CLI::ValidationError(
         "--output", options.target.string() + " is of no mesh format; name it .msh, .vtu or .ele");
@@ -96,7 +126,7 @@ void check_mesh_target(const OutputOptions& options, const Files& inputs) {
 }
 
 void write_mesh(const Mesh& mesh, const OutputOptions& options) {
-  const std::string kind = options.target.extension().string();
+  const std::string kind = file_kind(options.target);
   if (kind == ".vtu") return write_vtu(mesh, options.target);
   if (kind == ".ele") return write_ele(mesh, options.target);
   write_msh(mesh, options.target, options.format == "msh22" ? MshFormat::msh22 : MshFormat::msh41);

@@ -29,8 +29,8 @@ using Files = std::vector<std::filesystem::path>;
 Files files_of(const std::filesystem::path& target);
 
 /// Asked before any work: \throw CLI::ValidationError for a kind of file that is no mesh format,
-/// OutputError for a target that exists (without `force`), or is a folder or a file of the
-/// input (always).
+/// OutputError for a target that exists (without `force`), or is a folder, a file of the input or
+/// where nothing can be written (always).
 /// \param inputs  all files that are read; empty names stand for none
 void check_mesh_target(const OutputOptions& options, const Files& inputs);
 void check_target(const std::filesystem::path& target, const Files& inputs, bool force);

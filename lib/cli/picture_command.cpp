@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "inputs.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/picture.hpp"
 #include "outputs.hpp"
 
@@ -16,7 +17,7 @@ struct PictureCommand {
 };
 
 int run(PictureCommand& command) {
-  if (command.target.extension() != ".svg") {
+  if (file_kind(command.target) != ".svg") {
     throw InputError(command.target.string(), "pictures are SVG files", "name the output .svg");
   }
   check_target(command.target, {command.mesh}, command.force);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <new>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -55,11 +56,13 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   check_terrain_files(command);
   Piece piece = read_piece(command);
   std::vector<std::string> warnings = piece.place().whole.warnings;
+  warn_of_units(command, piece.grid, warnings);
   TerrainJob job = job_of(command, piece, warnings);
   if (command.origin.size() == 2) {
     count_from_origin({command.origin[0], command.origin[1]}, piece, job.domain, warnings);
   }
   check_terrain_files(command, piece.place().whole);
+  warn_of_old_prj(command, piece.place().whole, warnings);
   const double reading = seconds_since(start);
   MadeTerrain made = make_terrain(piece.grid, piece.place(), job);
   const int status = status_of(made.report);
@@ -113,6 +116,11 @@ int run(const TerrainCommand& command) {
   int status = done;
   try {
     status = command.has_tiles() ? run_tiles(command, report) : run_whole(command, report);
+  } catch (const std::bad_alloc&) {
+    print_what_there_is(command, report, start);
+    throw RefusedError(command.input.string(), "there is not enough memory for it",
+                       command.has_tiles() ? "ask for more and smaller --tiles"
+                                           : "read it in parts, with --tiles ROWSxCOLUMNS");
   } catch (const std::exception&) {
     print_what_there_is(command, report, start);
     throw;

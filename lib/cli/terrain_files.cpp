@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/hillshade.hpp"
 
 namespace lepp::cli {
@@ -17,7 +18,14 @@ constexpr std::array beside = {".prj", ".hdr", ".aux", ".tfw", ".wld", ".ovr", "
                                ".shx", ".dbf", ".cpg", ".qpj", ".sbn", ".sbx", ".qix"};
 constexpr std::array behind = {".aux.xml", ".ovr", ".msk", ".prj"};
 
-Files inputs_of(const TerrainCommand& command) {
+// GDAL takes the coordinate system of a GeoTIFF from itself, not from a .prj beside it.
+bool knows_its_crs(const fs::path& input, const HeightGrid& grid) {
+  const std::string kind = file_kind(input);
+  return (kind == ".tif" || kind == ".tiff") && !grid.crs.empty();
+}
+
+// grid: its header, or nothing if it is not read yet
+Files inputs_of(const TerrainCommand& command, const HeightGrid& grid) {
   Files named{command.input};
   for (const auto* more : {&command.clip, &command.breaklines, &command.soft_breaklines}) {
     named.insert(named.end(), more->begin(), more->end());
@@ -29,7 +37,11 @@ Files inputs_of(const TerrainCommand& command) {
   };
   for (const fs::path& file : named) {
     add(file);
-    for (const char* extension : beside) add(fs::path(file).replace_extension(extension));
+    for (const char* extension : beside) {
+      const bool is_read = extension != std::string_view(".prj") || &file != &named.front() ||
+                           !knows_its_crs(file, grid);
+      if (is_read) add(fs::path(file).replace_extension(extension));
+    }
     for (const char* more : behind) add(fs::path(file).concat(more));
   }
   return files;
@@ -106,7 +118,8 @@ std::string tile_suffix(std::uint32_t row, std::uint32_t column) {
 }
 
 void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid) {
-  const Files inputs = inputs_of(command), targets = targets_of(command, !grid.crs.empty());
+  const Files inputs = inputs_of(command, grid);
+  const Files targets = targets_of(command, !grid.crs.empty());
   const std::set<fs::path> parts = places_of(grid.files);
   for (const fs::path& target : targets) {
     if (is_prj_of(target, grid.crs)) continue;
@@ -117,6 +130,18 @@ void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid) 
   refuse_the_same_twice(targets);
   check_report_target(command.json, inputs, targets);
   if (!command.json.empty() && command.json != "-") refuse_part(command.json, parts);
+}
+
+void warn_of_old_prj(const TerrainCommand& command, const HeightGrid& grid,
+                     std::vector<std::string>& warnings) {
+  if (!grid.crs.empty()) return;
+  for (const fs::path& target : targets_of(command, true)) {
+    std::error_code error;
+    if (target.extension() != ".prj" || !fs::is_regular_file(target, error)) continue;
+    warnings.push_back(target.string() +
+                       " stands beside a mesh without a coordinate reference system, and programs "
+                       "will take it for the mesh's: remove it if it is not");
+  }
 }
 
 void write_level(MadeTin& made, double cell_width, const TerrainCommand& command,

@@ -21,6 +21,12 @@ std::string tile_suffix(std::uint32_t row, std::uint32_t column);
 /// \throw OutputError
 void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid = {});
 
+/// Warns of each .prj beside a TIN that gets none: of an earlier run, or the grid's own where
+/// coordinates count from another origin.
+/// \param grid  what is written has its coordinate reference system
+void warn_of_old_prj(const TerrainCommand& command, const HeightGrid& grid,
+                     std::vector<std::string>& warnings);
+
 /// Writes a TIN, and its picture if one is asked for.
 /// \param cell_width  of the grid: unit of x and y in that of heights
 void write_level(MadeTin& made, double cell_width, const TerrainCommand& command,

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "interrupt.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/terrain_lines.hpp"
 #include "validators.hpp"
 
@@ -132,8 +133,9 @@ void check_terrain_options(const TerrainCommand& c) {
          "is missing: give --max-error E, --max-vertices N, or both");
   refuse(!is_tin_file(c.output.target), "--output",
          c.output.target.string() + " is of no kind that holds a TIN; name it " + tin_file_kinds());
-  refuse(!c.picture.empty() && c.picture.extension() != ".svg" && c.picture.extension() != ".png",
-         "--picture", c.picture.string() + " is no picture; name it .svg or .png");
+  const std::string picture = file_kind(c.picture);
+  refuse(!c.picture.empty() && picture != ".svg" && picture != ".png", "--picture",
+         c.picture.string() + " is no picture; name it .svg or .png");
   refuse(c.min_angle_deg && c.by == SimplifyBy::greedy, "--min-angle", "goes with --by lepp only");
   refuse(c.effort && c.by == SimplifyBy::greedy, "--effort", "goes with --by lepp only");
   refuse(c.nonobtuse && c.by == SimplifyBy::greedy, "--nonobtuse", "goes with --by lepp only");

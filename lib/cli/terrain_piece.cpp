@@ -1,6 +1,9 @@
 #include "terrain_piece.hpp"
 
+#include <cmath>
+
 #include "lepp/geometry/text.hpp"
+#include "lepp/io/crs_wkt.hpp"
 #include "lepp/io/raster_layout.hpp"
 #include "terrain_reports.hpp"
 
@@ -44,6 +47,24 @@ TerrainJob job_of(const TerrainCommand& command, const Piece& piece,
   job.fit_heights = command.fit_heights;
   job.lists_prefixes = command.prefix_errors;
   return job;
+}
+
+void warn_of_units(const TerrainCommand& command, const HeightGrid& grid,
+                   std::vector<std::string>& warnings) {
+  const bool in_space = command.metric == TerrainMetric::surface || !command.picture.empty();
+  if (!in_space || command.cell.size() == 2) return;
+  const CrsWkt crs = parse_crs_wkt(grid.crs);
+  const std::optional<double> unit = grid.degrees ? std::optional(1.0) : crs.unit;
+  if (!unit || (crs.is_geographic && !grid.degrees)) return;  // not known
+  const double of_heights = crs.height_unit.value_or(1);
+  if (std::abs(*unit / of_heights - 1) < 1e-5) return;  // of two sorts of feet, too
+  const auto named = [](double metres) {
+    return name_of_unit(metres).value_or("units of " + lepp::to_text(metres) + " m");
+  };
+  warnings.push_back(
+      "cells are measured in " + named(*unit) + " and heights are taken in the same unit" +
+      (crs.height_unit ? ", though the file says " + named(of_heights) : std::string()) +
+      "; if they are in another one, give the size of cells in that: --cell");
 }
 
 void count_from_origin(Point origin, Piece& piece, DomainOptions& domain,

@@ -28,6 +28,11 @@ Piece read_piece(const TerrainCommand& command);
 TerrainJob job_of(const TerrainCommand& command, const Piece& piece,
                   std::vector<std::string>& warnings);
 
+/// Warns where lengths are measured in space and the coordinate reference system has them in
+/// another unit than heights: nothing is converted but degrees.
+void warn_of_units(const TerrainCommand& command, const HeightGrid& grid,
+                   std::vector<std::string>& warnings);
+
 /// From now on coordinates count from `origin`, those of lines included, which were read in the
 /// coordinates of the file.
 void count_from_origin(Point origin, Piece& piece, DomainOptions& domain,

@@ -12,6 +12,7 @@
 #include "lepp/triangulation/validate.hpp"
 #include "stopwatch.hpp"
 #include "terrain_files.hpp"
+#include "terrain_piece.hpp"
 #include "terrain_reports.hpp"
 
 namespace lepp::cli {
@@ -53,6 +54,8 @@ class Tiles {
     report_.columns = region_.columns;
     report_.rows = region_.rows;
     report_.warnings = whole_.warnings;
+    warn_of_old_prj(command, whole_, report_.warnings);
+    warn_of_units(command, whole_, report_.warnings);
   }
 
   int run() { return decide_bounds() ? make_tiles() : stopped(refused); }

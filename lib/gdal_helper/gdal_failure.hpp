@@ -20,6 +20,14 @@ inline std::string said(std::string sentence) {
   return last.empty() ? sentence : sentence + " (" + last + ")";
 }
 
+/// What to do about a file that opens and then cannot be read, as GDAL said last. A mosaic opens
+/// without its parts.
+inline std::string remedy_for_reading() {
+  if (CPLGetLastErrorNo() == CPLE_OpenFailed)
+    return "put the file that it names there, or make the file that names it again";
+  return "the file is damaged: get it again";
+}
+
 inline GdalFailure out_of_memory(std::uint64_t memory_bytes) {
   return {ErrorKind::refused, "",
           "reading it takes more than " + std::to_string(memory_bytes >> 20) + " MiB of memory",

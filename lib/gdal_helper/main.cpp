@@ -1,5 +1,5 @@
 // lepp-gdal raster FILE header|COLUMN,ROW,COLUMNS,ROWS|all NODATA|- CPU-SECONDS MEMORY-BYTES
-// lepp-gdal lines FILE CPU-SECONDS MEMORY-BYTES
+// lepp-gdal lines FILE FILE-OF-GRID-WKT CPU-SECONDS MEMORY-BYTES
 // Reads one file with GDAL and writes what gdal_record.hpp says to descriptor 3.
 
 #include <gdal_priv.h>
@@ -55,8 +55,9 @@ void start_gdal() {
   GDALSetCacheMax64(GIntBig{64} << 20);
 }
 
-GdalLines read_guarded(const std::string& file, std::uint64_t memory_bytes) {
-  std::ifstream wkt("grid.wkt", std::ios::binary);
+GdalLines read_guarded(const std::string& file, const std::string& wkt_file,
+                       std::uint64_t memory_bytes) {
+  std::ifstream wkt(wkt_file, std::ios::binary);
   const std::string grid_wkt{std::istreambuf_iterator<char>(wkt), {}};
   GdalLines failed;
   try {
@@ -78,7 +79,7 @@ int main(int count, char** words) {
   RasterTask task;
   const bool raster = what == "raster" && count == 7 && parse_window(words[3], task) &&
                       parse_nodata(words[4], task);
-  const bool lines = what == "lines" && count == 5;
+  const bool lines = what == "lines" && count == 6;
   if (!raster && !lines) return 1;
   if (!parse(words[count - 2], cpu_seconds) || !parse(words[count - 1], memory_bytes)) return 1;
   task.file = words[2];
@@ -86,6 +87,6 @@ int main(int count, char** words) {
   confine(cpu_seconds, memory_bytes);
   start_gdal();
   if (raster) send_raster(task);
-  else send(encode(read_guarded(task.file, memory_bytes)));
+  else send(encode(read_guarded(task.file, words[3], memory_bytes)));
   ::_exit(0);  // GDAL need not tidy up
 }

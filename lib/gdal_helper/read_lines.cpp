@@ -81,7 +81,7 @@ void add_layer(OGRLayer& layer, const std::string& before,
   }
   if (CPLGetLastErrorType() == CE_Failure)
     throw GdalFailure{ErrorKind::input, "", said("its features cannot be read"),
-                      "the file is damaged: get it again"};
+                      remedy_for_reading()};
 }
 
 bool are_same(const OGRSpatialReference& a, const OGRSpatialReference& b) {

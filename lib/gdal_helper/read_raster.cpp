@@ -161,7 +161,7 @@ class HeightSender {
     if (error == CE_None) return;
     if (CPLGetLastErrorNo() == CPLE_OutOfMemory) throw out_of_memory(memory_bytes_);
     throw GdalFailure{ErrorKind::input, "rows from " + std::to_string(window_.row + row),
-                      said("they cannot be read"), "the file is damaged: get it again"};
+                      said("they cannot be read"), remedy_for_reading()};
   }
 
   GDALRasterBand& band_;

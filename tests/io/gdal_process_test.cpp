@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -14,6 +15,7 @@
 
 using namespace lepp;
 using namespace lepp::test;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -87,6 +89,30 @@ TEST_CASE("GDAL: a header and a window, without the rest") {
   CHECK(values_of(part) == std::vector<double>{2, 3, 5, 6});
   CHECK(part.origin == Point{115, 47.5});
   CHECK(contains(error_of<InputError>([&] { read_height_window(path, {2, 0, 2, 2}); }), "window"));
+}
+
+TEST_CASE("GDAL: a mosaic may name its parts from the folder that the user is in") {
+  const ScratchFolder folder;
+  const auto part = folder.put("part.asc",
+                               "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\n"
+                               "cellsize 1\n1 2\n3 4\n");
+  const auto path = folder.put(
+      "a.vrt",
+      "<VRTDataset rasterXSize=\"2\" rasterYSize=\"2\">"
+      "<GeoTransform>0, 1, 0, 2, 0, -1</GeoTransform><VRTRasterBand dataType=\"Float32\" "
+      "band=\"1\"><SimpleSource><SourceFilename relativeToVRT=\"0\">" +
+          fs::relative(part).string() +
+          "</SourceFilename><SourceBand>1</SourceBand></SimpleSource></VRTRasterBand>"
+          "</VRTDataset>");
+  const HeightGrid grid = read_height_grid(path);
+  CHECK(values_of(grid) == std::vector<double>{1, 2, 3, 4});
+  REQUIRE(grid.files.size() == 2);
+  CHECK(fs::equivalent(grid.files[1], part));
+  fs::remove(part);
+  const std::string message = error_of<InputError>([&] { read_height_grid(path); });
+  CHECK(contains(message, "part.asc"));
+  CHECK(contains(message, "put the file that it names there"));
+  CHECK_FALSE(contains(message, "damaged"));
 }
 
 TEST_CASE("GDAL: what is no raster, what is cut short and what claims too much is refused") {

@@ -120,6 +120,40 @@ TEST_CASE("ADCIRC: depths are positive down, the outer loop is closed, the islan
   CHECK(contains(text, "4 1 = number of nodes and type of land boundary 2\n6\n5\n8\n7\n"));
 }
 
+TEST_CASE("ADCIRC: where parts touch, each loop passes a node once") {
+  const ScratchFolder folder;
+  WorldTin tin = small_tin();
+  // Two triangles that touch in node 3.
+  const std::vector<Point> points = {{0, 2}, {0, 1}, {1, 1}, {1, 0}, {2, 0}};
+  tin.mesh = test::from_triangles(points, {{0, 1, 2}, {3, 4, 2}});
+  tin.heights.assign(5, 0);
+  write_adcirc(tin, folder / "a.14");
+  const std::string parts = folder.text("a.14");
+  CHECK(contains(parts, "2 = number of land boundaries\n8 = total"));
+  CHECK(contains(parts, "4 0 = number of nodes and type of land boundary 1\n3\n4\n5\n3\n"));
+  CHECK(contains(parts, "4 0 = number of nodes and type of land boundary 2\n2\n3\n1\n2\n"));
+  // In the hole of a ring, an island that touches its rim in node 5.
+  tin = ring();
+  std::vector<Point> more(tin.mesh.points().begin(), tin.mesh.points().end());
+  more.insert(more.end(), {{1.75, 1.25}, {1.25, 1.75}});
+  tin.mesh = test::from_triangles(more, {{0, 1, 4},
+                                         {1, 5, 4},
+                                         {1, 2, 5},
+                                         {2, 6, 5},
+                                         {2, 3, 6},
+                                         {3, 7, 6},
+                                         {3, 0, 7},
+                                         {0, 4, 7},
+                                         {4, 8, 9}});
+  tin.heights.assign(10, 0);
+  write_adcirc(tin, folder / "b.14");
+  const std::string island = folder.text("b.14");
+  CHECK(contains(island, "3 = number of land boundaries\n13 = total"));
+  CHECK(contains(island, "4 1 = number of nodes and type"));
+  CHECK(contains(island, "5 0 = number of nodes and type"));
+  CHECK(contains(island, "4 0 = number of nodes and type"));
+}
+
 TEST_CASE("2DM: triangles with their region, then nodes") {
   const ScratchFolder folder;
   write_2dm(small_tin(), folder / "a.2dm");

@@ -1,6 +1,8 @@
 // lepp terrain: what users type, what comes out, statuses.
 
 #include <doctest/doctest.h>
+#include <spawn.h>
+#include <unistd.h>
 
 #include "pipeline/obj_tin.hpp"
 #include "support/real_inputs.hpp"
@@ -8,6 +10,13 @@
 using namespace lepp;
 using namespace lepp::test;
 namespace fs = std::filesystem;
+
+namespace {
+
+const std::string utm_of_prj =
+    R"(PROJCS["made up",GEOGCS["g",DATUM["d",SPHEROID["s",6378137,298]]]])";
+
+}  // namespace
 
 TEST_CASE("lepp terrain: what is missing or does not go together is a usage error") {
   const ScratchFolder folder;
@@ -136,6 +145,87 @@ TEST_CASE("a folder in place of an output is found before any work") {
     CHECK(has(outcome.err, "is a folder"));
   }
 }
+
+TEST_CASE("a place where nothing can be written is found before any work") {
+  const ScratchFolder folder;
+  fs::create_directory(folder / "locked");
+  fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  std::vector<std::pair<std::string, std::string>> cases = {
+      {"-o x.y/a.obj", "x.y/a.obj\n      there is no folder x.y"},
+      {"-o a.obj --picture p/a.png", "p/a.png"},
+      {"-o a.obj --json j/r.json", "j/r.json"}};
+  if (::geteuid() != 0) cases.emplace_back("-o a.obj --json locked/r.json", "may write to");
+  for (const auto& [options, message] : cases) {
+    CAPTURE(options);
+    // Work would find first that the grid is not there.
+    const Outcome outcome = run(folder.path(), "terrain none.asc --max-error 1 " + options);
+    CAPTURE(outcome.err);
+    CHECK(outcome.status == 5);
+    CHECK(has(outcome.err, message));
+  }
+  // With a coordinate system, too, it is the mesh that is named, not its .prj.
+  fs::copy(fs::path(LEPP_MESHES) / "terrain" / "hill.asc", folder / "dem.asc");
+  folder.put("dem.prj", utm_of_prj);
+  CHECK(has(run(folder.path(), "terrain dem.asc -o x/a.obj --max-error 20").err, "x/a.obj\n"));
+}
+
+TEST_CASE("kinds of files go by their names in capitals, too") {
+  const ScratchFolder folder;
+  fs::copy(fs::path(LEPP_MESHES) / "terrain" / "hill.asc", folder / "DEM.ASC");
+  for (const std::string name : {"A.OBJ", "B.STL", "C.NC", "D.MSH"}) {
+    const Outcome made = run(folder.path(), "terrain DEM.ASC -q --max-error 20 --levels 50 -o " +
+                                                name + " --picture " + name + ".SVG");
+    CAPTURE(made.err);
+    CHECK(made.status == 0);
+    CHECK(fs::exists(folder / name));
+    CHECK(has(folder.text(name + ".SVG"), "<svg"));
+  }
+  CHECK(folder.text("A.OBJ").starts_with("# "));
+  CHECK(fs::exists(folder / "A.level1.OBJ"));
+  CHECK(folder.text("C.NC").starts_with("CDF"));
+  CHECK(run(folder.path(), "convert D.MSH -o E.ELE").status == 0);
+  CHECK(run(folder.path(), "check E.ELE -q").status == 0);
+  CHECK(run(folder.path(), "picture E.ELE -o E.SVG").status == 0);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST_CASE("memory that is not there is said of the grid, and what to do") {
+  const ScratchFolder folder;
+  folder.put("dem.pgm", "P5\n8000 8000\n255\n");
+  fs::resize_file(folder / "dem.pgm", fs::file_size(folder / "dem.pgm") + 64'000'000);
+  const Outcome outcome = run(folder.path(), "terrain dem.pgm -o a.obj --max-error 1",
+                              "prlimit' --as=150000000 '" LEPP_PROGRAM);
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 4);
+  CHECK(has(outcome.err, "dem.pgm\n      there is not enough memory"));
+  CHECK(has(outcome.err, "--tiles"));
+}
+
+TEST_CASE("the peak of memory is that of the program, not of the one that started it") {
+  const ScratchFolder folder;
+  const std::vector<char> large(std::size_t{128} << 20, 1);
+  std::vector<std::string> words = {LEPP_PROGRAM,
+                                    "terrain",
+                                    LEPP_MESHES "/terrain/hill.asc",
+                                    "-o",
+                                    folder / "a.obj",
+                                    "--max-error",
+                                    "20",
+                                    "-q",
+                                    "--json",
+                                    folder / "r.json"};
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t process = 0;
+  REQUIRE(::posix_spawn(&process, LEPP_PROGRAM, nullptr, nullptr, pointers.data(), environ) == 0);
+  int status = -1;
+  ::waitpid(process, &status, 0);
+  REQUIRE(status == 0);
+  const Json report = Json::parse(content_of(folder / "r.json"));
+  CHECK(report["peak_memory_bytes"].get<std::size_t>() < large.size() / 2);
+}
+#endif
 
 TEST_CASE("a number of vertices that is too small for the error is status 3 and writes nothing") {
   const ScratchFolder folder;

@@ -35,6 +35,17 @@ TEST_CASE("clip polygons cut, and breaklines are edges with their own heights") 
   CHECK(std::ranges::count_if(dyke.vertices, [](const Place& v) { return v[2] == 800; }) >= 2);
 }
 
+TEST_CASE("a clip polygon without area is named with its file") {
+  const ScratchFolder folder;
+  folder.put("c.geojson", R"({"type": "Polygon", "coordinates": [[[431400, 5103600],
+                             [432300, 5103600], [431400, 5103600]]]})");
+  const Outcome made =
+      run(folder.path(), "terrain " + hill() + " -o t.obj --max-error 5 --clip c.geojson");
+  CHECK(made.status == 2);
+  CHECK(has(made.err, "c.geojson, "));
+  CHECK(has(made.err, "ring 1"));
+}
+
 TEST_CASE(
     "samples on hard breaklines are off by what was asked for: counted, told, and no failure") {
   const ScratchFolder folder;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "pipeline/obj_tin.hpp"
+#include "support/real_inputs.hpp"
 
 using namespace lepp;
 using namespace lepp::test;
@@ -244,6 +245,75 @@ TEST_CASE("no file beside an input is replaced, and no two outputs are one file"
   CHECK(folder.text("a.obj") == "old");
   CHECK(folder.text("dem.prj") == crs + "\n\n");
   CHECK(folder.text("lines.prj") == "another");
+}
+
+TEST_CASE("a .prj beside a mesh that has no coordinate system is warned of") {
+  const std::string crs = R"(PROJCS["made up",GEOGCS["g",DATUM["d",SPHEROID["s",6378137,298]]]])";
+  const ScratchFolder folder;
+  fs::copy(fs::path(LEPP_MESHES) / "terrain" / "hill.asc", folder / "dem.asc");
+  folder.put("dem.prj", crs);
+  const auto warnings = [&](const std::string& options) {
+    const Outcome made =
+        run(folder.path(), "terrain dem.asc --max-error 20 --force --json - " + options);
+    REQUIRE(made.status == 0);
+    return Json::parse(made.out)["warnings"].dump();
+  };
+  CHECK_FALSE(has(warnings("-o a.obj"), "a.prj"));
+  CHECK(has(warnings("-o a.obj --origin 431000 5103000"), "a.prj stands beside a mesh without"));
+  CHECK_FALSE(has(warnings("-o b.obj --origin 431000 5103000"), "stands beside"));
+  CHECK_FALSE(has(warnings("-o a.nc --origin 431000 5103000"), "stands beside"));
+  fs::remove(folder / "dem.prj");
+  folder.put("a_0_1.prj", crs);
+  CHECK(has(warnings("-o a.obj --tiles 1x2"), "a_0_1.prj stands beside"));
+  CHECK(folder.text("a.prj") == crs + "\n");
+}
+
+#ifdef LEPP_HAS_GDAL
+TEST_CASE("a .prj beside a GeoTIFF is no input of it: it knows its own system") {
+  const auto real = real_input("dem/lux_elev.tif");
+  if (!real) return;
+  const ScratchFolder folder;
+  fs::copy(*real, folder / "dem.tif");
+  folder.put("dem.prj", "of an earlier dem.tif");
+  const std::string command = "terrain dem.tif -q --max-error 20% -o dem.ply ";
+  const Outcome kept = run(folder.path(), command);
+  CHECK(kept.status == 5);
+  CHECK(has(kept.err, "dem.prj\n      exists already"));
+  CHECK(run(folder.path(), command + "--force").status == 0);
+  CHECK(has(folder.text("dem.prj"), "WGS 84"));
+  // Beside lines, which GDAL reads by it, it is one.
+  folder.put("other.json", R"({"type": "LineString", "coordinates": [[5.9, 49.6], [6.2, 49.8]]})");
+  folder.put("other.prj", "of lines");
+  CHECK(run(folder.path(),
+            "terrain dem.tif -q --max-error 20% -o other.ply --force "
+            "--breaklines other.json")
+            .status == 5);
+}
+#endif
+
+TEST_CASE("cells in another unit than metres are warned of where heights are compared with them") {
+  const std::string system = R"(PROJCS["p",GEOGCS["g",DATUM["d",SPHEROID["s",6378137,298]]],UNIT[)";
+  const std::string kilometres = system + R"("kilometre",1000]])";
+  const std::string metres = system + R"("metre",1]])";
+  const std::string feet_up = ",VERT_CS[\"v\",UNIT[\"foot\",0.3048]]]";
+  const auto warnings = [](const std::string& crs, const std::string& options) {
+    const ScratchFolder folder;
+    fs::copy(fs::path(LEPP_MESHES) / "terrain" / "hill.asc", folder / "dem.asc");
+    folder.put("dem.prj", crs);
+    const Outcome made =
+        run(folder.path(), "terrain dem.asc -o a.obj --max-error 20% --json - " + options);
+    REQUIRE(made.status == 0);
+    return Json::parse(made.out)["warnings"].dump();
+  };
+  CHECK(has(warnings(kilometres, "--picture a.svg"), "cells are measured in km"));
+  CHECK(has(warnings(kilometres, "--metric surface"), "heights are taken in the same unit; if"));
+  CHECK(has(warnings(kilometres, "--picture a.svg --tiles 1x2"), "cells are measured in km"));
+  CHECK(has(
+      warnings("COMPD_CS[\"c\"," + metres + feet_up, "--picture a.svg"),
+      "cells are measured in m and heights are taken in the same unit, though the file says ft"));
+  CHECK_FALSE(has(warnings(kilometres, ""), "same unit"));  // the plane knows no heights
+  CHECK_FALSE(has(warnings(kilometres, "--picture a.svg --cell 30000 30000"), "same unit"));
+  CHECK_FALSE(has(warnings(metres, "--picture a.svg"), "same unit"));
 }
 
 TEST_CASE("a tiling of one tile is one, too") {

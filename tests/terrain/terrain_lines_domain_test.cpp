@@ -114,6 +114,26 @@ TEST_CASE("a clip polygon beside the data is an error, as is one without area or
   CHECK_THROWS_AS(terrain_domain(square, {.clip = {box(0, 0, NAN, 1)}}), InputError);
 }
 
+TEST_CASE("a clip polygon that is too small or thin is said to be so, by its own name") {
+  const auto message = [](const ClipPolygon& polygon) -> std::string {
+    try {
+      terrain_domain(square, {.clip = {polygon}});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != text.npos;
+  };
+  CHECK(has(message(box(1.2, 1.2, 1.205, 1.205)), "nothing is left of the clip polygons"));
+  CHECK(has(message(box(1.2, 1.2, 2.8, 1.203)), "nothing is left of the clip polygons"));
+  CHECK(has(message(box(5, 5, 6, 6)), "where the grid has data"));
+  CHECK(message(box(1.2, 1.2, 1.4, 1.4)).empty());
+  ClipPolygon flat{{{{0, 0}, {1, 1}, {0, 0}}}, "clip.geojson, feature 0"};
+  CHECK(has(message(flat), "clip.geojson, feature 0, ring 1"));
+}
+
 TEST_CASE("a hard breakline has its heights, also where it enters the domain and is crossed") {
   const Breakline first{{{-2, 2}, {2, 2}, {2, 6}}, {0, 8, 8}, ""};
   const Breakline second{{{1, 1}, {1, 3}}, {50, 70}, ""};

@@ -110,6 +110,26 @@ std::vector<BoundaryLoop> boundary_loops(const Mesh& mesh) {
   return loops;
 }
 
+std::vector<BoundaryLoop> simple_boundary_loops(const Mesh& mesh) {
+  std::vector<std::uint32_t> place(mesh.vertex_count(), none);  // on the path, of the side from it
+  std::vector<HalfEdge> path;
+  std::vector<BoundaryLoop> loops;
+  for (const BoundaryLoop& walk : boundary_loops(mesh)) {
+    for (const HalfEdge e : walk.sides) {
+      place[mesh.origin(e).index()] = static_cast<std::uint32_t>(path.size());
+      path.push_back(e);
+      const std::uint32_t back = place[mesh.destination(e).index()];
+      if (back == none) continue;
+      BoundaryLoop& loop = loops.emplace_back();
+      loop.sides.assign(path.begin() + back, path.end());
+      path.resize(back);
+      for (const HalfEdge side : loop.sides) place[mesh.origin(side).index()] = none;
+      measure(mesh, loop);
+    }
+  }
+  return loops;
+}
+
 std::optional<Point> centroid_inside(const Mesh& mesh, const BoundaryLoop& hole) {
   const Point c = centroid(mesh, hole);
   const double least = 1e-4 * std::abs(hole.area);

@@ -20,6 +20,11 @@ struct BoundaryLoop {
 /// \pre  M1 to M4.  Cost O(triangles)
 std::vector<BoundaryLoop> boundary_loops(const Mesh& mesh);
 
+/// The same edges as loops that pass each vertex once, as solvers read them: one that passes a
+/// vertex again is cut there. An island that touches its hole's rim has a loop of its own, too.
+/// \pre  M1 to M4.  Cost O(triangles)
+std::vector<BoundaryLoop> simple_boundary_loops(const Mesh& mesh);
+
 /// The centroid of the area inside a loop that goes around a hole, if it lies well inside: further
 /// from the loop than a hundredth of the square root of the area (its being inside is exact).
 std::optional<Point> centroid_inside(const Mesh& mesh, const BoundaryLoop& hole);

@@ -1,8 +1,11 @@
 #include "lepp/io/crs_wkt.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace lepp {
@@ -96,6 +99,15 @@ std::optional<double> unit_in(const std::vector<Member>& system) {
 }
 
 }  // namespace
+
+std::optional<std::string> name_of_unit(std::optional<double> metres) {
+  constexpr std::array<std::pair<double, const char*>, 4> known = {
+      {{1, "m"}, {1000, "km"}, {0.3048, "ft"}, {1200.0 / 3937, "US_survey_foot"}}};
+  for (const auto& [size, name] : known) {
+    if (metres && std::abs(*metres / size - 1) < 1e-9) return name;
+  }
+  return std::nullopt;
+}
 
 CrsWkt parse_crs_wkt(std::string_view wkt) {
   Member root = member_of(wkt);

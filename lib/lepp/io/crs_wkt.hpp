@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace lepp {
@@ -18,5 +19,8 @@ struct CrsWkt {
 /// Takes a WKT apart. What is damaged or unknown is passed over.
 /// Cost   O(n). Source OGC 01-009 (version 1), OGC 18-010 (version 2)
 CrsWkt parse_crs_wkt(std::string_view wkt);
+
+/// "m", "km", "ft" or "US_survey_foot", as UDUNITS knows them; nothing for another length.
+std::optional<std::string> name_of_unit(std::optional<double> metres);
 
 }  // namespace lepp

@@ -28,10 +28,15 @@ HelperTask task_of(const fs::path& path, const fs::path& folder, std::vector<std
   const double seconds = std::clamp(options.seconds, 0.01, 1e6);
   arguments.push_back(std::to_string(static_cast<long>(std::ceil(seconds)) + 1));
   arguments.push_back(std::to_string(options.memory_bytes));
-  return {program,       find_helper(program, options.helper),
-          folder,        std::move(arguments),
-          seconds,       "give a smaller file or window (the limit is GdalOptions::seconds)",
-          path.string(), options.keep_going};
+  return {program,
+          find_helper(program, options.helper),
+          folder,
+          std::move(arguments),
+          seconds,
+          "give a smaller file or window (the limit is GdalOptions::seconds)",
+          path.string(),
+          options.keep_going,
+          HelperTask::RunsIn::callers_folder};  // a VRT may name its parts from there
 }
 
 [[noreturn]] void throw_failure(const GdalFailure& failure, const fs::path& path) {
@@ -161,8 +166,9 @@ HeightGrid read_gdal_heights(const fs::path& path, const std::optional<GridWindo
 GdalLines read_gdal_lines(const fs::path& path, const std::string& grid_crs,
                           const GdalOptions& options) {
   const PrivateFolder folder;
-  write_wkt(folder.path() / "grid.wkt", grid_crs);
-  Helper helper(task_of(path, folder.path(), {"lines"}, options));
+  const fs::path grid_wkt = folder.path() / "grid.wkt";
+  write_wkt(grid_wkt, grid_crs);
+  Helper helper(task_of(path, folder.path(), {"lines", fs::absolute(grid_wkt).string()}, options));
   GdalLines lines = receive<GdalLines>(helper, gdal_lines_kind, options.memory_bytes);
   if (lines.failure) throw_failure(*lines.failure, path);
   return lines;

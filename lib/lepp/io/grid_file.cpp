@@ -7,6 +7,7 @@
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/io/crs_wkt.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/gdal_process.hpp"
 #include "lepp/io/raster_layout.hpp"
 #include "lepp/io/text_file.hpp"
@@ -16,14 +17,13 @@ namespace lepp {
 namespace {
 
 namespace fs = std::filesystem;
-std::string extension_of(const fs::path& path) { return lower_case(path.extension().string()); }
 
 bool looks_like_asc(const InputFile& file, const fs::path& path) {
   const std::string head = lower_case(file.head(64));
   for (const char* key : {"ncols", "nrows", "xllc", "yllc", "cellsize", "nodata_value"}) {
     if (head.starts_with(key)) return true;
   }
-  return extension_of(path) == ".asc";
+  return file_kind(path) == ".asc";
 }
 
 // The coordinate system beside an ESRI ASCII grid.
@@ -60,7 +60,7 @@ GridFile::Raster read_header(const InputFile& file, const fs::path& path) {
     return raster;
   }
   for (const char* known : {".f32", ".npy", ".pgm", ".stm"}) {
-    if (extension_of(path) != known) continue;
+    if (file_kind(path) != known) continue;
     throw InputError(file.name(), std::string("does not begin as a ") + known + " file does",
                      "export it again, or name it after what it is");
   }

@@ -156,7 +156,8 @@ void Helper::start(int write_end) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_addopen(&setup.actions, stream, "/dev/null", O_RDWR, 0);
   posix_spawn_file_actions_adddup2(&setup.actions, write_end, record_descriptor);
-  posix_spawn_file_actions_addchdir_np(&setup.actions, task_.folder.c_str());
+  if (task_.runs_in == HelperTask::RunsIn::folder)
+    posix_spawn_file_actions_addchdir_np(&setup.actions, task_.folder.c_str());
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_setsigmask(&setup.attributes, &none);

@@ -46,12 +46,15 @@ std::filesystem::path find_helper(const HelperProgram& helper,
 struct HelperTask {
   HelperProgram helper;
   std::filesystem::path program;
-  std::filesystem::path folder;  ///< where it runs
+  std::filesystem::path folder;  ///< for its temporary files
   std::vector<std::string> arguments;
   double seconds = 60;
   std::string time_remedy;                ///< what to do if that is not enough
   std::string display_name;               ///< what messages call the input
   std::function<bool()> keep_going = {};  ///< asked about once a second; false ends it
+  /// Where it runs: in `folder`, or where the caller does, so that it finds what files name from
+  /// there.
+  enum class RunsIn { folder, callers_folder } runs_in = RunsIn::folder;
 };
 
 /// A helper at work, in a process group of its own, without input, output or environment but a pipe

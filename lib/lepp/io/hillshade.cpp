@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lepp/io/atomic_files.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/picture_frame.hpp"
 #include "lepp/io/png.hpp"
 #include "lepp/io/svg_drawing.hpp"
@@ -220,7 +221,7 @@ Color Hillshade::operator()(TriangleId t) const {
 void write_hillshade(const Tin& tin, const std::filesystem::path& path,
                      const HillshadeOptions& options) {
   const Hillshade shade(tin, options.cell_width);
-  if (path.extension() == ".png") draw_png(tin, path, shade, options);
+  if (file_kind(path) == ".png") draw_png(tin, path, shade, options);
   else write_svg(tin, path, shade, options);
 }
 

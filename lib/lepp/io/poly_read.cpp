@@ -7,6 +7,7 @@
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/io/entity_table.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/line_reader.hpp"
 #include "lepp/io/poly.hpp"
 #include "lepp/io/text_file.hpp"
@@ -254,7 +255,7 @@ Pslg read_poly(const fs::path& path) {
   Vertices vertices = read_vertices(line);
   Pslg pslg;
   EntityTable table;
-  if (path.extension() != ".node") {
+  if (file_kind(path) != ".node") {
     if (vertices.points.empty()) {
       vertices = read_node_file(with_extension(path, ".node"), line.where());
     }

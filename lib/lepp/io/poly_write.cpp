@@ -164,7 +164,7 @@ void write_ele(const Mesh& mesh, const fs::path& path, std::span<const double> h
   };
   Sections(beside(".node"), base).vertices(mesh.points(), heights);
   const bool is_plain_tin = !heights.empty() && mesh.entities().surfaces.size() <= 1;
-  Sections(beside(".ele"), base).triangles(mesh, !is_plain_tin);
+  Sections(files.add(path), base).triangles(mesh, !is_plain_tin);
   Sections poly(beside(".poly"), base);
   poly.vertices({});
   write_outline(poly, mesh);

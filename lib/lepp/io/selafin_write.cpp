@@ -60,7 +60,7 @@ class Records {
 std::vector<std::int32_t> boundary_numbers(const Mesh& mesh) {
   std::vector<std::int32_t> numbers(mesh.vertex_count(), 0);
   std::int32_t last = 0;
-  for (const BoundaryLoop& loop : boundary_loops(mesh)) {
+  for (const BoundaryLoop& loop : simple_boundary_loops(mesh)) {
     for (const HalfEdge e : loop.sides) {
       std::int32_t& number = numbers[mesh.origin(e).index()];
       if (number == 0) number = ++last;  // else two loops touch here

@@ -6,6 +6,7 @@
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
 #include "lepp/io/crs_wkt.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/gdal_process.hpp"
 #include "lepp/io/geojson.hpp"
 
@@ -16,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_geojson(const fs::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  return extension == ".geojson" || extension == ".json";
+  const std::string kind = file_kind(path);
+  return kind == ".geojson" || kind == ".json";
 }
 
 bool could_be_degrees(const std::vector<GdalFeature>& features) {
@@ -106,7 +107,7 @@ std::vector<ClipPolygon> read_clip_polygons(const fs::path& path,
   for (GdalFeature& feature : read_features(path, options)) {
     for (GdalPart& part : feature.parts) {
       if (part.kind != "Polygon") refuse_kind(path, feature, part, "polygons");
-      polygons.push_back({std::move(part.rings)});
+      polygons.push_back({std::move(part.rings), path.string() + ", " + feature.name});
     }
   }
   return polygons;

@@ -41,7 +41,8 @@ void write_stl(const WorldTin& tin, const std::filesystem::path& path);
 
 /// ADCIRC grid (fort.14, .14, .grd) and SCHISM (.gr3), which are the same: depths, positive down;
 /// numbers from 1; no open boundary. Each outer loop is a land boundary of type 0, its first node
-/// again at the end; each hole is an island, type 1, clockwise, closed implicitly.
+/// again at the end; each hole is an island, type 1, clockwise, closed implicitly. Where parts of the
+/// mesh touch, each has a loop of its own (simple_boundary_loops()).
 void write_adcirc(const WorldTin& tin, const std::filesystem::path& path);
 
 /// SMS 2DM: MESH2D, E3T with the region's tag as material, ND.

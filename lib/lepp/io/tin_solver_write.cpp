@@ -18,7 +18,7 @@ std::size_t nodes_listed(const BoundaryLoop& loop) {
 }
 
 void write_land_boundaries(OutputFile& out, const Mesh& mesh) {
-  const std::vector<BoundaryLoop> loops = boundary_loops(mesh);
+  const std::vector<BoundaryLoop> loops = simple_boundary_loops(mesh);
   std::size_t all = 0;
   for (const BoundaryLoop& loop : loops) all += nodes_listed(loop);
   out << "0 = number of open boundaries\n0 = total number of open boundary nodes\n"

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "lepp/io/atomic_files.hpp"
+#include "lepp/io/file_kind.hpp"
 #include "lepp/io/poly.hpp"
 #include "lepp/io/tin_files.hpp"
 #include "lepp/io/vtu.hpp"
@@ -25,7 +26,7 @@ void write_vtu(const WorldTin& tin, const fs::path& path) {
 }
 
 void write_mesh(const WorldTin& tin, const fs::path& path, const TinFormat& format) {
-  const std::string kind = path.extension().string();
+  const std::string kind = file_kind(path);
   if (kind == ".obj") write_obj(tin, path);
   else if (kind == ".ply") write_ply(tin, path);
   else if (kind == ".stl") write_stl(tin, path);
@@ -41,7 +42,7 @@ void write_mesh(const WorldTin& tin, const fs::path& path, const TinFormat& form
 }  // namespace
 
 bool is_tin_file(const fs::path& path) {
-  return std::ranges::find(kinds, std::string_view(path.extension().string())) != kinds.end();
+  return std::ranges::find(kinds, std::string_view(file_kind(path))) != kinds.end();
 }
 
 std::string tin_file_kinds() {
@@ -54,7 +55,7 @@ std::string tin_file_kinds() {
 }
 
 std::vector<fs::path> tin_files_of(const fs::path& path, bool has_crs) {
-  const std::string kind = path.extension().string();
+  const std::string kind = file_kind(path);
   std::vector<fs::path> files = kind == ".ele" ? ele_files(path) : std::vector{path};
   if (has_crs && kind != ".nc") files.push_back(fs::path(path).replace_extension(".prj"));
   return files;
@@ -72,16 +73,17 @@ bool is_prj_of(const fs::path& path, const std::string& crs) {
 }
 
 std::optional<OffsetDigits> offset_of_format(const fs::path& path, const TinFormat& format) {
-  if (path.extension() == ".stl") return OffsetDigits::decimal;
+  const std::string kind = file_kind(path);
+  if (kind == ".stl") return OffsetDigits::decimal;
   const bool floats = format.selafin == SelafinPrecision::floats;
-  if (path.extension() == ".slf" && floats) return OffsetDigits::whole;
+  if (kind == ".slf" && floats) return OffsetDigits::whole;
   return std::nullopt;
 }
 
 void write_tin(const WorldTin& tin, const fs::path& path, const TinFormat& format) {
   AtomicFiles beside;  // complete before the mesh is there, and named only behind it
   const fs::path prj = fs::path(path).replace_extension(".prj");
-  if (!tin.crs.empty() && path.extension() != ".nc" && !is_prj_of(prj, tin.crs)) {
+  if (!tin.crs.empty() && file_kind(path) != ".nc" && !is_prj_of(prj, tin.crs)) {
     beside.add(prj) << tin.crs << '\n';
     beside.prepare();
   }

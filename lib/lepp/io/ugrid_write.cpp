@@ -31,16 +31,6 @@ std::vector<HalfEdge> edges(const Mesh& mesh) {
   return list;
 }
 
-// The name that UDUNITS has for so many metres; nothing for a unit that it has no name for.
-std::optional<std::string> name_of_unit(std::optional<double> metres) {
-  constexpr std::array<std::pair<double, const char*>, 4> known = {
-      {{1, "m"}, {1000, "km"}, {0.3048, "ft"}, {1200.0 / 3937, "US_survey_foot"}}};
-  for (const auto& [size, name] : known) {
-    if (metres && std::abs(*metres / size - 1) < 1e-9) return name;
-  }
-  return std::nullopt;
-}
-
 class Ugrid {
  public:
   Ugrid(const WorldTin& tin) : tin_(tin), crs_(parse_crs_wkt(tin.crs)), edges_(edges(tin.mesh)) {

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "lepp/geometry/error.hpp"
+#include "lepp/geometry/text.hpp"
 #include "lepp/terrain/hard_lines.hpp"
+#include "lepp/terrain/snap_lines.hpp"
 
 namespace lepp {
 
@@ -51,6 +53,10 @@ class Insides {
     const CurveSet& set = *sets_[set_of_[t.index()]];
     if (set.empty() || set.front() != CurveId(0U)) return false;
     return !clips_ || set.size() > 1;
+  }
+  bool is_in_polygon(TriangleId t) const {
+    const CurveSet& set = *sets_[set_of_[t.index()]];
+    return !set.empty() && set.back() != CurveId(0U);
   }
 
  private:
@@ -109,6 +115,7 @@ class DomainCutter {
       for (std::uint32_t i = 0; i < 3; ++i) look_at({TriangleId(t), i});
     }
     if (segments_.empty()) {
+      refuse_small_polygons();
       throw InputError(arrangement_.pslg.source,
                        "no part of the clip polygons is where the grid has data",
                        "check that both have the same coordinate system");
@@ -121,6 +128,16 @@ class DomainCutter {
 
  private:
   static constexpr std::uint32_t unset = std::numeric_limits<std::uint32_t>::max();
+
+  void refuse_small_polygons() const {
+    for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+      if (insides_.is_in_polygon(TriangleId(t))) return;
+    }
+    throw InputError(arrangement_.pslg.source,
+                     "nothing is left of the clip polygons: places nearer than " +
+                         to_text(meeting_distance) + " cells are joined",
+                     "give larger polygons, or check that they are in the grid's unit");
+  }
 
   // Each edge is looked at from its side inside the domain, or from that with the lower id.
   void look_at(HalfEdge e) {

@@ -29,8 +29,10 @@ std::string name_of(const Breakline& line, std::size_t i) {
   return line.name.empty() ? "breakline " + std::to_string(i + 1) : line.name;
 }
 
-std::string name_of_ring(std::size_t polygon, std::size_t ring) {
-  return "clip polygon " + std::to_string(polygon + 1) + ", ring " + std::to_string(ring + 1);
+std::string name_of_ring(const ClipPolygon& polygon, std::size_t i, std::size_t ring) {
+  const std::string of =
+      polygon.name.empty() ? "clip polygon " + std::to_string(i + 1) : polygon.name;
+  return of + ", ring " + std::to_string(ring + 1);
 }
 
 class Arranger {
@@ -48,7 +50,7 @@ class Arranger {
     for (std::size_t i = 0; i < options.clip.size(); ++i) {
       const CurveId curve = add_curve(LineKind::clip);
       for (std::size_t r = 0; r < options.clip[i].rings.size(); ++r)
-        add_ring(options.clip[i].rings[r], curve, name_of_ring(i, r));
+        add_ring(options.clip[i].rings[r], curve, name_of_ring(options.clip[i], i, r));
     }
     for (const Segment& s : outline_.segments) {
       if (is_near(s)) add_outline(s);

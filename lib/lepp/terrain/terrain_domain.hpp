@@ -21,6 +21,7 @@ struct Breakline {
 /// point at the end. Inside is what an odd number of its rings surrounds.
 struct ClipPolygon {
   std::vector<std::vector<Point>> rings;
+  std::string name = {};  ///< what messages call it
 };
 
 struct DomainOptions {
