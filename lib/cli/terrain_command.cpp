@@ -118,6 +118,7 @@ int run(const TerrainCommand& command) {
     throw;
   }
   const std::string words = last_words(status, command, report);
+  warn_of_small_angles(report);
   if (!words.empty()) report.warnings.push_back(words);
   if (command.quiet && status != done && !report.warnings.empty()) {
     std::fprintf(stderr, "lepp: %s: %s\n", command.input.c_str(), report.warnings.back().c_str());
