@@ -100,7 +100,7 @@ void add_outputs(CLI::App& app, TerrainCommand& command) {
   app.add_flag("--prefix-errors", command.prefix_errors,
                "the report has the largest error with the first n vertices for each n, by greedy "
                "(with --json)");
-  app.add_option("--format", command.output.format,
+  app.add_option("--format", command.format,
                  "of .msh: msh41 (default) or msh22; of .slf: serafind (default) or serafin, of "
                  "single precision")
       ->check(CLI::IsMember({"msh41", "msh22", "serafind", "serafin"}));

@@ -34,6 +34,9 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --effort much", "'much' is none of fast, normal, best"},
       {"-o x.obj --max-error 1 --levels 5,10", "must be errors that descend"},
       {"-o x.obj --max-error 5 --levels 2", "all above --max-error"},
+      {"-o x.obj --max-error 5 --levels 9,5", "all above --max-error"},
+      {"-o x.obj --max-error 5% --levels 5%", "all above --max-error"},
+      {"-o x.obj --max-vertices 50 --level-vertices 50", "all below --max-vertices"},
       {"-o x.obj --max-error 1 --levels 5 --nonobtuse", "run without levels"},
       {"-o x.obj --max-error 1 --max-vertices 50 --nonobtuse", "give --max-error alone"},
       {"-o x.obj --max-error 1 --border-error 2", "above --max-error"},
@@ -43,7 +46,10 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --json r.json --prefix-errors", "--by greedy only"},
       {"-o x.obj --max-error 1 --by greedy --fit-heights --json r --prefix-errors", "before"},
       {"-o x.obj --max-error 1 --by greedy --tiles 2x2 --json r --prefix-errors", "--tiles"},
-      {"-o x.obj --max-error 1 --format vtk", "--format"}};
+      {"-o x.obj --max-error 1 --format vtk", "--format"},
+      {"-o x.obj --max-error 1 --format msh22", "msh22 is of .msh files"},
+      {"-o x.slf --max-error 1 --format msh41", "msh41 is of .msh files"},
+      {"-o x.msh --max-error 1 --format serafin", "serafin is of .slf files"}};
   for (const auto& [options, message] : cases) {
     CAPTURE(options);
     const Outcome outcome = run(folder.path(), "terrain " + hill() + " " + options);
@@ -101,6 +107,17 @@ TEST_CASE("a relative error is one of the range, and the report says what was as
   for (const char* key : {"read", "domain", "simplify", "measure", "check", "write", "total"}) {
     CHECK(report["seconds"].contains(key));
   }
+}
+
+TEST_CASE("on flat ground all percentages are one height, and levels are all the same") {
+  const ScratchFolder folder;
+  folder.put("flat.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n7 7 7\n7 7 7\n");
+  const Outcome made = run(
+      folder.path(), "terrain flat.asc -o t.obj --max-error 1% --levels 50%,10% --json - -q");
+  REQUIRE(made.status == 0);
+  const Json report = Json::parse(made.out);
+  REQUIRE(report["levels"].size() == 2);
+  CHECK(report["levels"][0]["vertices"] == report["vertices"]);
 }
 
 TEST_CASE("every format is written, and no file is overwritten without --force") {
