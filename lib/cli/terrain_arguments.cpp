@@ -48,7 +48,8 @@ void add_goals(CLI::App& app, TerrainCommand& command) {
 
 void add_inputs(CLI::App& app, TerrainCommand& command) {
   app.add_option("--cell", command.cell,
-                 "width and height of a cell, where the file does not say or is wrong")
+                 "width and height of a cell; of a file with coordinates these stay, and lengths and "
+                 "angles go by the given cells")
       ->expected(2)
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata,

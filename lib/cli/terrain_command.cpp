@@ -55,6 +55,7 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   check_terrain_files(command);
   Piece piece = read_piece(command);
   std::vector<std::string> warnings = piece.place().whole.warnings;
+  warn_of_cell(command, piece.place().whole, warnings);
   TerrainJob job = job_of(command, piece, warnings);
   if (command.origin.size() == 2) {
     count_from_origin({command.origin[0], command.origin[1]}, piece, job.domain, warnings);

@@ -150,6 +150,19 @@ void describe(const TerrainCommand& command, const TerrainJob& job, TerrainRepor
   if (command.has_tiles()) report.tiling = {tiles.rows, tiles.columns};
 }
 
+void warn_of_cell(const TerrainCommand& command, const HeightGrid& whole,
+                  std::vector<std::string>& warnings) {
+  if (command.cell.size() != 2 || !whole.georeferenced) return;
+  const double in_file = std::abs(whole.step_y) / whole.step_x;
+  const double given = command.cell[1] / command.cell[0];
+  if (std::abs(given - in_file) <= 1e-6 * in_file) return;
+  warnings.push_back("lengths and angles are those of cells of " + lepp::to_text(command.cell[0]) +
+                     " x " + lepp::to_text(command.cell[1]) +
+                     ", as --cell says; coordinates stay those of the file, where cells are " +
+                     lepp::to_text(whole.step_x) + " x " +
+                     lepp::to_text(std::abs(whole.step_y)) + " and angles are others");
+}
+
 void warn_of_small_angles(TerrainReport& report) {
   const bool in_plan = report.metric != "surface";
   const double bound =

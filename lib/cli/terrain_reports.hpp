@@ -13,6 +13,11 @@ void add_to(TerrainReport& whole, const TerrainReport& part);
 /// excuses.
 void warn_of_small_angles(TerrainReport& report);
 
+/// Warns if the cells of --cell have other proportions than those of the file, which its
+/// coordinates keep.
+void warn_of_cell(const TerrainCommand& command, const HeightGrid& whole,
+                  std::vector<std::string>& warnings);
+
 /// Fills in what a report says of a grid: size, samples, range of heights.
 void describe(const HeightGrid& grid, TerrainReport& report);
 /// Fills in what it says was asked for.

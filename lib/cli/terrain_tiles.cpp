@@ -53,6 +53,7 @@ class Tiles {
     report_.columns = region_.columns;
     report_.rows = region_.rows;
     report_.warnings = whole_.warnings;
+    warn_of_cell(command, whole_, report_.warnings);
   }
 
   int run() { return decide_bounds() ? make_tiles() : stopped(refused); }

@@ -109,6 +109,25 @@ TEST_CASE("a relative error is one of the range, and the report says what was as
   }
 }
 
+TEST_CASE("--cell leaves coordinates as they are, and says once that angles in them are others") {
+  const ScratchFolder folder;
+  folder.put("g.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n1 2 4\n3 9 7\n");
+  const std::string warning = "warning: lengths and angles are those of cells of 2 x 3, as --cell "
+                              "says; coordinates stay those of the file, where cells are 1 x 1";
+  for (const std::string tiles : {"", " --tiles 1x2 --tile-output both"}) {
+    CAPTURE(tiles);
+    const std::string start = "terrain g.asc -o t.obj --force --max-error 9" + tiles;
+    const Outcome made = run(folder.path(), start + " --cell 2 3");
+    REQUIRE(made.status == 0);
+    CHECK(read_obj(folder / "t.obj").vertices.size() >= 4);
+    for (const Place& v : read_obj(folder / "t.obj").vertices) CHECK(v[0] <= 2);
+    const std::size_t at = made.out.find(warning);
+    CHECK(at != std::string::npos);
+    CHECK(made.out.find(warning, at + 1) == std::string::npos);
+    CHECK_FALSE(has(run(folder.path(), start + " --cell 2 2").out, "warning"));
+  }
+}
+
 TEST_CASE("on flat ground all percentages are one height, and levels are all the same") {
   const ScratchFolder folder;
   folder.put("flat.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n7 7 7\n7 7 7\n");
