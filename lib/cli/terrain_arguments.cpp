@@ -48,7 +48,8 @@ void add_goals(CLI::App& app, TerrainCommand& command) {
 
 void add_inputs(CLI::App& app, TerrainCommand& command) {
   app.add_option("--cell", command.cell,
-                 "width and height of a cell, where the file does not say or is wrong")
+                 "width and height of a cell; of a file with coordinates these stay, and lengths and "
+                 "angles go by the given cells")
       ->expected(2)
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata,
@@ -100,7 +101,7 @@ void add_outputs(CLI::App& app, TerrainCommand& command) {
   app.add_flag("--prefix-errors", command.prefix_errors,
                "the report has the largest error with the first n vertices for each n, by greedy "
                "(with --json)");
-  app.add_option("--format", command.output.format,
+  app.add_option("--format", command.format,
                  "of .msh: msh41 (default) or msh22; of .slf: serafind (default) or serafin, of "
                  "single precision")
       ->check(CLI::IsMember({"msh41", "msh22", "serafind", "serafin"}));

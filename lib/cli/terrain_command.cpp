@@ -57,6 +57,7 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   Piece piece = read_piece(command);
   std::vector<std::string> warnings = piece.place().whole.warnings;
   warn_of_units(command, piece.grid, warnings);
+  warn_of_cell(command, piece.place().whole, warnings);
   TerrainJob job = job_of(command, piece, warnings);
   if (command.origin.size() == 2) {
     count_from_origin({command.origin[0], command.origin[1]}, piece, job.domain, warnings);
@@ -126,6 +127,7 @@ int run(const TerrainCommand& command) {
     throw;
   }
   const std::string words = last_words(status, command, report);
+  warn_of_small_angles(report);
   if (!words.empty()) report.warnings.push_back(words);
   if (command.quiet && status != done && !report.warnings.empty()) {
     std::fprintf(stderr, "lepp: %s: %s\n", command.input.c_str(), report.warnings.back().c_str());

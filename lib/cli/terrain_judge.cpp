@@ -39,8 +39,10 @@ class Judge {
 
   MadeTerrain operator()() {
     if (job_.border_error) excuse_borders();
-    for (MadeTin& level : work_.made.coarser) finish(level);
-    finish(work_.made.finest);
+    for (std::size_t i = 0; i < work_.made.coarser.size(); ++i) {
+      finish(work_.made.coarser[i], work_.simplified.levels[i].unfinished);
+    }
+    finish(work_.made.finest, work_.simplified.unfinished);
     judge_finest();
     return std::move(work_.made);
   }
@@ -50,19 +52,24 @@ class Judge {
 
   // Beside borders that must not be cut, the angle bound is out of reach of any method.
   void excuse_borders() {
-    const Mesh& mesh = work_.made.finest.tin.mesh;
     const NearBorder is_near(grid_, work_.domain);
-    for (Unfinished& u : work_.simplified.unfinished) {
-      if (u.reason != Reason::size_floor) continue;
-      if (std::ranges::any_of(mesh.corners(u.triangle), is_near)) u.reason = Reason::kept_border;
+    const auto excuse = [&](const Mesh& mesh, std::vector<Unfinished>& unfinished) {
+      for (Unfinished& u : unfinished) {
+        if (u.reason != Reason::size_floor) continue;
+        if (std::ranges::any_of(mesh.corners(u.triangle), is_near)) u.reason = Reason::kept_border;
+      }
+    };
+    for (std::size_t i = 0; i < work_.made.coarser.size(); ++i) {
+      excuse(work_.made.coarser[i].tin.mesh, work_.simplified.levels[i].unfinished);
     }
+    excuse(work_.made.finest.tin.mesh, work_.simplified.unfinished);
     const bool error_kept = is_kept(work_.simplified.error, job_.simplify.max_error);
     work_.simplified.goal_reached = error_kept && are_excused(work_.simplified.unfinished);
   }
 
   // What is claimed of every level: an error that was measured anew, and a valid mesh, also where
-  // the world's coordinates are rounded.
-  void finish(MadeTin& made) {
+  // the world's coordinates are rounded, with no small angles but those listed.
+  void finish(MadeTin& made, const std::vector<Unfinished>& small_angles) {
     TerrainFigures& figures = made.figures;
     const bool is_finest = &made == &work_.made.finest;
     figures.vertices = made.tin.mesh.vertex_count();
@@ -76,7 +83,14 @@ class Judge {
     made.world = to_world(shifted(made.tin, shift_of(grid_, place_)), place_.whole);
     if (is_finest && work_.in_world) made.world.mesh = std::move(*work_.in_world);
     const bool world_counts = is_finest && job_.nonobtuse && work_.judged_in_world;
-    MeshClaims claims = is_finest ? claims_of_finest() : MeshClaims();
+    figures.below_bound = count_reasons(small_angles);
+    report().seconds.measure += timed([&] {
+      const Mesh& judged = world_counts ? made.world.mesh : made.tin.mesh;
+      const Quality quality = measure(judged);
+      figures.min_angle_deg = quality.min_angle_deg;
+      if (is_finest) note_angles_of(judged, quality);
+    });
+    MeshClaims claims = claims_of(small_angles);
     claims.delaunay = job_.simplify.metric == TerrainMetric::planar;
     MeshClaims none;
     none.delaunay = false;
@@ -89,13 +103,20 @@ class Judge {
     });
   }
 
-  MeshClaims claims_of_finest() const {
+  MeshClaims claims_of(const std::vector<Unfinished>& small_angles) const {
     MeshClaims claims;
     if (!bounds_angles()) return claims;
     claims.min_angle_deg = job_.simplify.min_angle_deg;
-    claims.nonobtuse = job_.nonobtuse;
-    claims.unfinished = work_.simplified.unfinished;
+    claims.nonobtuse = job_.nonobtuse;  // then there are no coarser levels
+    claims.unfinished = small_angles;
     return claims;
+  }
+
+  void note_angles_of(const Mesh& finest, const Quality& quality) {
+    report().max_angle_deg_found = quality.max_angle_deg;
+    report().mean_min_angle_deg = quality.mean_min_angle_deg;
+    report().obtuse_constrained = quality.obtuse_constrained.exact;
+    report().smallest_angles = angle_histogram(finest);
   }
 
   void note(const MeshReport& checked) {
@@ -110,26 +131,15 @@ class Judge {
   }
 
   void judge_finest() {
-    const MadeTin& finest = work_.made.finest;
     TerrainReport& r = report();
-    r.whole = finest.figures;
+    r.whole = work_.made.finest.figures;
     for (const MadeTin& level : work_.made.coarser) r.levels.push_back(level.figures);
-    r.seconds.measure += timed([&] {
-      const bool world_counts = job_.nonobtuse && work_.judged_in_world;
-      const Mesh& judged = world_counts ? finest.world.mesh : finest.tin.mesh;
-      const Quality quality = measure(judged);
-      r.min_angle_deg_found = quality.min_angle_deg;
-      r.max_angle_deg_found = quality.max_angle_deg;
-      r.mean_min_angle_deg = quality.mean_min_angle_deg;
-      r.obtuse_constrained = quality.obtuse_constrained.exact;
-      r.smallest_angles = angle_histogram(judged);
-    });
     if (job_.lists_prefixes) {
       r.prefixes =
           PrefixErrors{work_.simplified.first_prefix, std::move(work_.simplified.error_of_prefix)};
     }
-    r.below_bound = count_reasons(work_.simplified.unfinished);
     judge_in_space();
+    warn_of_counts();
     // Asked for a number of vertices alone, a run may be as far off as it is.
     const bool is_good = job_.claims_error ? work_.simplified.goal_reached
                                            : are_excused(work_.simplified.unfinished);
@@ -185,6 +195,17 @@ class Judge {
     const double range = work_.made.report.highest - work_.made.report.lowest;
     const double in_world = job_.nonobtuse ? rounding_in_world * range : 0;
     return error.elsewhere.max <= kept_error(asked, rounding_) + in_world;
+  }
+
+  void warn_of_counts() {
+    for (std::size_t i = 0; i < work_.made.coarser.size(); ++i) {
+      const TerrainLevel& level = work_.simplified.levels[i];
+      if (!level.most_vertices || level.vertices <= *level.most_vertices) continue;
+      report().warnings.push_back("level " + std::to_string(i + 1) + ": the outline and lines " +
+                                  "alone have " + std::to_string(work_.simplified.first_prefix) +
+                                  " vertices, more than the " +
+                                  std::to_string(*level.most_vertices) + " asked for");
+    }
   }
 
   bool is_count_kept() {

@@ -39,6 +39,13 @@ void refuse(bool is_wrong, const std::string& option, const std::string& why) {
   if (is_wrong) throw CLI::ValidationError(option, why);
 }
 
+void check_format(const TerrainCommand& c) {
+  if (c.format.empty()) return;
+  const std::string kind = c.format.starts_with("msh") ? ".msh" : ".slf";
+  refuse(c.output.target.extension() != kind, "--format",
+         c.format + " is of " + kind + " files, and " + c.output.target.string() + " is none");
+}
+
 void check_prefixes(const TerrainCommand& c) {
   if (!c.prefix_errors) return;
   refuse(c.json.empty(), "--prefix-errors", "are written to the report only: give --json");
@@ -117,10 +124,10 @@ TileCounts TerrainCommand::tile_counts() const {
 }
 
 TinFormat TerrainCommand::tin_format() const {
-  TinFormat format;
-  if (output.format == "msh22") format.msh = MshFormat::msh22;
-  if (output.format == "serafin") format.selafin = SelafinPrecision::floats;
-  return format;
+  TinFormat result;
+  if (format == "msh22") result.msh = MshFormat::msh22;
+  if (format == "serafin") result.selafin = SelafinPrecision::floats;
+  return result;
 }
 
 bool TerrainCommand::is_relative() const {
@@ -150,6 +157,7 @@ void check_terrain_options(const TerrainCommand& c) {
   refuse(c.by == SimplifyBy::greedy && c.metric == TerrainMetric::surface, "--metric",
          "surface goes with --by lepp only");
   refuse(!c.border_error.empty() && c.nonobtuse, "--nonobtuse", "would cut the fixed borders");
+  check_format(c);
   check_prefixes(c);
   check_window(c);
   check_tiles(c);
@@ -168,12 +176,13 @@ SimplifyOptions simplify_options(const TerrainCommand& c, double range) {
   }
   options.level_vertices = c.level_vertices;
   const auto& errors = options.level_errors;
+  const double last = options.max_error;  // on flat ground 0, as all percentages
   refuse(!std::ranges::is_sorted(errors, std::greater<>()) ||
-             (!errors.empty() && errors.back() < options.max_error),
+             (!errors.empty() && last > 0 && errors.back() <= last),
          "--levels", "must be errors that descend, all above --max-error");
   const auto& counts = options.level_vertices;
   refuse(
-      !std::ranges::is_sorted(counts) || (!counts.empty() && counts.back() > options.max_vertices),
+      !std::ranges::is_sorted(counts) || (!counts.empty() && counts.back() >= options.max_vertices),
       "--level-vertices", "must be counts that ascend, all below --max-vertices");
   return options;
 }

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
+
+#include "lepp/geometry/text.hpp"
+#include "lepp/terrain/small_angles.hpp"
 
 namespace lepp::cli {
 
@@ -43,6 +47,12 @@ void add_to(TerrainFigures& whole, const TerrainFigures& part) {
     if (!whole.unfitted) whole.unfitted.emplace();
     add_to(*whole.unfitted, *part.unfitted);
   }
+  const bool is_first = whole.triangles == 0;
+  whole.min_angle_deg =
+      is_first ? part.min_angle_deg : std::min(whole.min_angle_deg, part.min_angle_deg);
+  for (std::size_t i = 0; i < whole.below_bound.size(); ++i) {
+    whole.below_bound[i] += part.below_bound[i];
+  }
   whole.vertices += part.vertices;
   whole.triangles += part.triangles;
 }
@@ -65,12 +75,22 @@ void add_to(TerrainInSpace& whole, const TerrainInSpace& part) {
   whole.kept_edges.insert(whole.kept_edges.end(), part.kept_edges.begin(), part.kept_edges.end());
 }
 
+// To two decimals: what is below a bound stays so.
+double rounded_down(double angle_deg) { return std::floor(100 * angle_deg) / 100; }
+
+std::size_t not_excused(const ReasonCounts& counts) {
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (!is_excused(static_cast<Reason>(i))) sum += counts[i];
+  }
+  return sum;
+}
+
 }  // namespace
 
 void add_to(TerrainReport& whole, const TerrainReport& part) {
   const bool is_first = whole.whole.triangles == 0;
   const auto smaller = [&](double a, double b) { return is_first ? b : std::min(a, b); };
-  whole.min_angle_deg_found = smaller(whole.min_angle_deg_found, part.min_angle_deg_found);
   whole.max_angle_deg_found = std::max(whole.max_angle_deg_found, part.max_angle_deg_found);
   whole.mean_min_angle_deg = joined_mean(whole.mean_min_angle_deg, whole.whole.triangles,
                                          part.mean_min_angle_deg, part.whole.triangles);
@@ -81,9 +101,6 @@ void add_to(TerrainReport& whole, const TerrainReport& part) {
   add_to(whole.in_space, part.in_space);
   for (std::size_t i = 0; i < whole.smallest_angles.size(); ++i) {
     whole.smallest_angles[i] += part.smallest_angles[i];
-  }
-  for (std::size_t i = 0; i < whole.below_bound.size(); ++i) {
-    whole.below_bound[i] += part.below_bound[i];
   }
   whole.lowest = smaller(whole.lowest, part.lowest);
   whole.highest = is_first ? part.highest : std::max(whole.highest, part.highest);
@@ -131,6 +148,37 @@ void describe(const TerrainCommand& command, const TerrainJob& job, TerrainRepor
   report.window = command.grid_window();
   const TileCounts tiles = command.tile_counts();
   if (command.has_tiles()) report.tiling = {tiles.rows, tiles.columns};
+}
+
+void warn_of_cell(const TerrainCommand& command, const HeightGrid& whole,
+                  std::vector<std::string>& warnings) {
+  if (command.cell.size() != 2 || !whole.georeferenced) return;
+  const double in_file = std::abs(whole.step_y) / whole.step_x;
+  const double given = command.cell[1] / command.cell[0];
+  if (std::abs(given - in_file) <= 1e-6 * in_file) return;
+  warnings.push_back("lengths and angles are those of cells of " + lepp::to_text(command.cell[0]) +
+                     " x " + lepp::to_text(command.cell[1]) +
+                     ", as --cell says; coordinates stay those of the file, where cells are " +
+                     lepp::to_text(whole.step_x) + " x " +
+                     lepp::to_text(std::abs(whole.step_y)) + " and angles are others");
+}
+
+void warn_of_small_angles(TerrainReport& report) {
+  const bool in_plan = report.metric != "surface";
+  const double bound =
+      in_plan ? report.min_angle_deg.value_or(0) : report.in_space.plan_angle_deg;
+  for (std::size_t i = 0; i < report.levels.size(); ++i) {
+    const TerrainFigures& level = report.levels[i];
+    const std::size_t count = not_excused(level.below_bound);
+    if (count == 0) continue;
+    const bool no_room = level.below_bound[static_cast<std::size_t>(Reason::budget)] > 0;
+    report.warnings.push_back(
+        "level " + std::to_string(i + 1) + ": " + std::to_string(count) +
+        (count == 1 ? " triangle is below " : " triangles are below ") + lepp::to_text(bound) +
+        " degrees, the smallest angle is " + lepp::to_text(rounded_down(level.min_angle_deg)) +
+        (no_room ? ": " + std::to_string(level.vertices) + " vertices leave no room"
+                 : ", which the input does not ask for"));
+  }
 }
 
 }  // namespace lepp::cli

@@ -56,6 +56,7 @@ class Tiles {
     report_.warnings = whole_.warnings;
     warn_of_old_prj(command, whole_, report_.warnings);
     warn_of_units(command, whole_, report_.warnings);
+    warn_of_cell(command, whole_, report_.warnings);
   }
 
   int run() { return decide_bounds() ? make_tiles() : stopped(refused); }

@@ -33,7 +33,9 @@ TerrainReport sample() {
   report.whole.error.elsewhere.max = 1.75;
   report.whole.error.samples_on_hard_lines = 7;
   report.levels.push_back({"dem.level1.ply", "level 1", 40, 66, {}, {}});
-  report.below_bound[static_cast<std::size_t>(Reason::kept_border)] = 3;
+  report.levels[0].min_angle_deg = 12.75;
+  report.levels[0].below_bound[static_cast<std::size_t>(Reason::budget)] = 5;
+  report.whole.below_bound[static_cast<std::size_t>(Reason::kept_border)] = 3;
   report.error_kept = report.goal_reached = report.valid = true;
   report.warnings = {"a warning"};
   return report;
@@ -54,6 +56,9 @@ TEST_CASE("the terrain report for machines names the error, its place, and every
         nlohmann::json({{"samples", 7}, {"max", 2.25}, {"max_elsewhere", 1.75}}));
   CHECK(json["error"]["at"] == nlohmann::json({431550.0, 5103725.0}));
   CHECK(json["levels"][0]["output"] == "dem.level1.ply");
+  CHECK(json["levels"][0]["min_angle_deg"] == 12.75);
+  CHECK(json["levels"][0]["below_bound"]["budget"] == 5);
+  CHECK(json["levels"][0]["below_bound"]["kept_border"] == 0);
   CHECK(json["prefixes"].is_null());
   CHECK(json["below_bound"].size() == ReasonCounts().size());
   CHECK(json["below_bound"]["kept_border"] == 3);
@@ -77,6 +82,8 @@ TEST_CASE("the terrain report for people says what was asked for beside what was
   CHECK(contains(text, "7 samples, off by up to 2.25; elsewhere 1.75"));
   CHECK(contains(text, "60 x 40 samples, 1608 with data"));
   CHECK(contains(text, "3 kept_border"));
+  CHECK(contains(text, "5 budget"));
+  CHECK(contains(text, "12.75"));
   CHECK(contains(text, "dem.level1.ply"));
   CHECK(contains(text, "warning: a warning"));
   CHECK_FALSE(contains(text, "admissible"));

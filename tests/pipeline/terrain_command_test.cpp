@@ -43,6 +43,9 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --effort much", "'much' is none of fast, normal, best"},
       {"-o x.obj --max-error 1 --levels 5,10", "must be errors that descend"},
       {"-o x.obj --max-error 5 --levels 2", "all above --max-error"},
+      {"-o x.obj --max-error 5 --levels 9,5", "all above --max-error"},
+      {"-o x.obj --max-error 5% --levels 5%", "all above --max-error"},
+      {"-o x.obj --max-vertices 50 --level-vertices 50", "all below --max-vertices"},
       {"-o x.obj --max-error 1 --levels 5 --nonobtuse", "run without levels"},
       {"-o x.obj --max-error 1 --max-vertices 50 --nonobtuse", "give --max-error alone"},
       {"-o x.obj --max-error 1 --border-error 2", "above --max-error"},
@@ -52,7 +55,10 @@ TEST_CASE("lepp terrain: what is missing or does not go together is a usage erro
       {"-o x.obj --max-error 1 --json r.json --prefix-errors", "--by greedy only"},
       {"-o x.obj --max-error 1 --by greedy --fit-heights --json r --prefix-errors", "before"},
       {"-o x.obj --max-error 1 --by greedy --tiles 2x2 --json r --prefix-errors", "--tiles"},
-      {"-o x.obj --max-error 1 --format vtk", "--format"}};
+      {"-o x.obj --max-error 1 --format vtk", "--format"},
+      {"-o x.obj --max-error 1 --format msh22", "msh22 is of .msh files"},
+      {"-o x.slf --max-error 1 --format msh41", "msh41 is of .msh files"},
+      {"-o x.msh --max-error 1 --format serafin", "serafin is of .slf files"}};
   for (const auto& [options, message] : cases) {
     CAPTURE(options);
     const Outcome outcome = run(folder.path(), "terrain " + hill() + " " + options);
@@ -110,6 +116,36 @@ TEST_CASE("a relative error is one of the range, and the report says what was as
   for (const char* key : {"read", "domain", "simplify", "measure", "check", "write", "total"}) {
     CHECK(report["seconds"].contains(key));
   }
+}
+
+TEST_CASE("--cell leaves coordinates as they are, and says once that angles in them are others") {
+  const ScratchFolder folder;
+  folder.put("g.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n1 2 4\n3 9 7\n");
+  const std::string warning = "warning: lengths and angles are those of cells of 2 x 3, as --cell "
+                              "says; coordinates stay those of the file, where cells are 1 x 1";
+  for (const std::string tiles : {"", " --tiles 1x2 --tile-output both"}) {
+    CAPTURE(tiles);
+    const std::string start = "terrain g.asc -o t.obj --force --max-error 9" + tiles;
+    const Outcome made = run(folder.path(), start + " --cell 2 3");
+    REQUIRE(made.status == 0);
+    CHECK(read_obj(folder / "t.obj").vertices.size() >= 4);
+    for (const Place& v : read_obj(folder / "t.obj").vertices) CHECK(v[0] <= 2);
+    const std::size_t at = made.out.find(warning);
+    CHECK(at != std::string::npos);
+    CHECK(made.out.find(warning, at + 1) == std::string::npos);
+    CHECK_FALSE(has(run(folder.path(), start + " --cell 2 2").out, "warning"));
+  }
+}
+
+TEST_CASE("on flat ground all percentages are one height, and levels are all the same") {
+  const ScratchFolder folder;
+  folder.put("flat.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n7 7 7\n7 7 7\n");
+  const Outcome made = run(
+      folder.path(), "terrain flat.asc -o t.obj --max-error 1% --levels 50%,10% --json - -q");
+  REQUIRE(made.status == 0);
+  const Json report = Json::parse(made.out);
+  REQUIRE(report["levels"].size() == 2);
+  CHECK(report["levels"][0]["vertices"] == report["vertices"]);
 }
 
 TEST_CASE("every format is written, and no file is overwritten without --force") {

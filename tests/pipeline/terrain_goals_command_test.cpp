@@ -102,6 +102,30 @@ TEST_CASE("the surface metric keeps the error, and lists what breaks its criteri
   }
 }
 
+TEST_CASE("levels without room for the outline or for angles are warned of and counted") {
+  const ScratchFolder folder;
+  std::string text = "ncols 25\nnrows 6\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 25 * 6; ++i) {
+    text += std::to_string(20 * std::sin(i % 25 * 0.31 + 2) * std::cos(i / 25 * 0.23)) + "\n";
+  }
+  folder.put("dem.asc", text);
+  const Outcome made = run(folder.path(),
+                           "terrain dem.asc -o t.obj --max-vertices 150 --level-vertices 3,6,60 "
+                           "--json -");
+  REQUIRE(made.status == 0);
+  const Json report = Json::parse(made.out);
+  CHECK(report["levels"][0]["vertices"] == 4);
+  CHECK(has(made.err, "warning: level 1: the outline and lines alone have 4 vertices, more than "
+                      "the 3 asked for"));
+  const Json& level = report["levels"][1];
+  CHECK(level["min_angle_deg"] < 30);
+  CHECK(level["below_bound"]["budget"] > 0);
+  CHECK(has(made.err, "warning: level 2: 4 triangles are below 30 degrees, the smallest angle is "
+                      "22.61: 6 vertices leave no room"));
+  CHECK(report["min_angle_deg"] >= 30 - 1e-9);
+  CHECK(report["goal_reached"] == true);
+}
+
 TEST_CASE("the DEM of the paper: errors of one nested sequence at 4, 43, 275 and 937 vertices") {
   const auto file = real_input("dem/ashby.stm");
   if (!file) return;

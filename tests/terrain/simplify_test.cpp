@@ -140,6 +140,37 @@ TEST_CASE("simplify: a TIN that reaches several levels at once is each of them")
   }
 }
 
+TEST_CASE("simplify: each level lists its triangles below the bound, with the same reasons") {
+  const HeightGrid grid = hills(25, 6);
+  SimplifyOptions options{.max_vertices = 150, .level_vertices = {6, 20, 60}};
+  std::size_t listed = 0;
+  options.on_level = [&](const Tin& tin, const TerrainLevel& level) {
+    listed += level.unfinished.size();
+    for (const Unfinished& u : level.unfinished) CHECK(u.reason == Reason::budget);
+    MeshClaims claims;
+    claims.min_angle_deg = options.min_angle_deg;
+    claims.unfinished = level.unfinished;
+    CHECK(validate(tin.mesh, claims).summary() == "valid");
+  };
+  SimplifyReport report;
+  simplify(grid, rectangle(grid), options, report);
+  CHECK(listed > 0);
+  CHECK(report.levels.back().unfinished == report.unfinished);
+}
+
+TEST_CASE("simplify: levels say which counts they were asked for, and exceed them if they must") {
+  const HeightGrid grid = hills(20, 15);
+  SimplifyOptions options{.max_vertices = 100, .level_errors = {500}, .level_vertices = {3, 50}};
+  SimplifyReport report;
+  simplify(grid, rectangle(grid), options, report);
+  REQUIRE(report.levels.size() == 4);
+  CHECK(!report.levels[0].most_vertices);
+  CHECK(report.levels[1].most_vertices == 3U);
+  CHECK(report.levels[1].vertices == 4);
+  CHECK(report.levels[2].most_vertices == 50U);
+  CHECK(!report.levels[3].most_vertices);
+}
+
 TEST_CASE("simplify: a bound on vertices is kept, and levels end at their counts") {
   const HeightGrid grid = hills(70, 50);
   for (const SimplifyBy by : both) {

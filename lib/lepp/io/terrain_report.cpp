@@ -45,6 +45,14 @@ Json unfitted(const TerrainFigures& figures) {
   return {{"max", figures.unfitted->max}, {"rms", figures.unfitted->rms}};
 }
 
+Json below_bound(const ReasonCounts& counts) {
+  Json json;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    json[to_string(static_cast<Reason>(i))] = counts[i];
+  }
+  return json;
+}
+
 Json list_of(const std::vector<TerrainFigures>& list, bool with_problems) {
   Json json = Json::array();
   for (const TerrainFigures& figures : list) {
@@ -52,6 +60,8 @@ Json list_of(const std::vector<TerrainFigures>& list, bool with_problems) {
                     {"output", figures.output},
                     {"vertices", figures.vertices},
                     {"triangles", figures.triangles},
+                    {"min_angle_deg", figures.min_angle_deg},
+                    {"below_bound", below_bound(figures.below_bound)},
                     {"error", error(figures)},
                     {"unfitted_error", unfitted(figures)}});
     if (!with_problems) continue;
@@ -66,14 +76,6 @@ Json prefixes(const std::optional<PrefixErrors>& p) {
 
 Json numbers_of(const std::optional<GridWindow>& w) {
   return w ? Json({w->column, w->row, w->columns, w->rows}) : Json();
-}
-
-Json below_bound(const ReasonCounts& counts) {
-  Json json;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    json[to_string(static_cast<Reason>(i))] = counts[i];
-  }
-  return json;
 }
 
 Json asked_for(const TerrainReport& r) {
@@ -140,12 +142,12 @@ std::string to_json(const TerrainReport& r) {
   json["levels"] = list_of(r.levels, false);
   json["prefixes"] = prefixes(r.prefixes);
   json["tiles"] = list_of(r.tiles, true);
-  json["min_angle_deg"] = r.min_angle_deg_found;
+  json["min_angle_deg"] = r.whole.min_angle_deg;
   json["mean_min_angle_deg"] = r.mean_min_angle_deg;
   json["max_angle_deg"] = r.max_angle_deg_found;
   json["smallest_angles"] = r.smallest_angles;
   json["in_space"] = in_space(r);
-  json["below_bound"] = below_bound(r.below_bound);
+  json["below_bound"] = below_bound(r.whole.below_bound);
   json["obtuse_constrained"] = r.obtuse_constrained;
   json["admissible"] = optional(r.admissible);
   json["error_kept"] = optional(r.error_kept);

@@ -26,6 +26,8 @@ struct TerrainFigures {
   Point error_at;                             ///< world coordinates of the sample
   std::string problem = {};                   ///< of a tile that was not written: why; else empty
   std::optional<TerrainError> unfitted = {};  ///< before heights were fitted, if they were
+  double min_angle_deg = 0;
+  ReasonCounts below_bound = {};  ///< triangles below the bound of angles, by reason
 };
 
 /// How many triangles have their smallest angle from 5 i to 5 (i + 1) degrees.
@@ -69,10 +71,9 @@ struct TerrainReport {
   std::vector<TerrainFigures> levels;                ///< coarser ones, the coarsest first
   std::optional<PrefixErrors> prefixes;              ///< if asked for
   std::vector<TerrainFigures> tiles;  ///< row by row; the last one may have a problem
-  double min_angle_deg_found = 0, max_angle_deg_found = 0, mean_min_angle_deg = 0;
+  double max_angle_deg_found = 0, mean_min_angle_deg = 0;
   AngleHistogram smallest_angles{};
   TerrainInSpace in_space;
-  ReasonCounts below_bound{};
   std::size_t obtuse_constrained = 0;
   std::optional<bool> admissible;
   std::optional<bool> error_kept;  ///< if a largest error was asked for

@@ -14,16 +14,17 @@ std::string place(const TerrainFigures& f) {
                      f.error_at.x, f.error_at.y);
 }
 
-// What was made, a line each: vertices, triangles and the error found.
+// What was made, a line each: vertices, triangles, the smallest angle and the error found.
 std::string table(const TerrainReport& r) {
   std::vector<TerrainFigures> list = r.tiles;
   list.insert(list.end(), r.levels.begin(), r.levels.end());
   if (list.empty()) return {};
-  std::string text = fmt::format("{:<34}{:>10}{:>10}{:>14}{:>12}  {}\n", "", "vertices",
-                                 "triangles", "max. error", "RMS", "file");
+  std::string text = fmt::format("{:<34}{:>10}{:>10}{:>12}{:>14}{:>12}  {}\n", "", "vertices",
+                                 "triangles", "min. angle", "max. error", "RMS", "file");
   const auto row = [&](const std::string& name, const TerrainFigures& f) {
-    text += fmt::format("{:<34}{:>10}{:>10}{:>14.6g}{:>12.4g}  {}\n", name, f.vertices, f.triangles,
-                        f.error.max, f.error.rms, f.problem.empty() ? f.output : f.problem);
+    text += fmt::format("{:<34}{:>10}{:>10}{:>12.2f}{:>14.6g}{:>12.4g}  {}\n", name, f.vertices,
+                        f.triangles, f.min_angle_deg, f.error.max, f.error.rms,
+                        f.problem.empty() ? f.output : f.problem);
   };
   // The last ones are levels, or a tile that ended the run.
   constexpr std::size_t shown_first = 20, shown_last = 5;
@@ -94,15 +95,17 @@ std::string angle_lines(const TerrainReport& r) {
   std::string text;
   add_line(text, "angles",
            fmt::format("{:.2f} to {:.2f} degrees, mean of the smallest {:.2f}",
-                       r.min_angle_deg_found, r.max_angle_deg_found, r.mean_min_angle_deg));
+                       r.whole.min_angle_deg, r.max_angle_deg_found, r.mean_min_angle_deg));
   add_line(text, "smallest angles", histogram(r.smallest_angles));
   text += space_lines(r);
   if (r.min_angle_deg) {
     const bool in_plan = r.metric != "surface";
-    add_line(text,
-             fmt::format("triangles below {:.6g} degrees",
-                         in_plan ? *r.min_angle_deg : r.in_space.plan_angle_deg),
-             counted<Reason>(r.below_bound));
+    const double bound = in_plan ? *r.min_angle_deg : r.in_space.plan_angle_deg;
+    add_line(text, fmt::format("triangles below {:.6g} degrees", bound),
+             counted<Reason>(r.whole.below_bound));
+    for (const TerrainFigures& level : r.levels) {
+      add_line(text, "  of " + level.name, counted<Reason>(level.below_bound));
+    }
   }
   if (r.admissible) {
     add_line(text, "obtuse at constrained edges", fmt::format("{}", r.obtuse_constrained));

@@ -31,10 +31,12 @@ class LeppSimplification {
   std::vector<Unfinished> run() {
     for (;;) {
       reach_level();
-      if (!levels_.next(terrain_.tin(), loop_.largest_error())) break;
+      const bool has_more = levels_.next(terrain_.tin(), loop_.largest_error(),
+                                         small_angles(levels_.vertices()));
+      if (!has_more) break;
       loop_.freeze();
     }
-    return small_angles();
+    return small_angles(options_.max_vertices);
   }
 
  private:
@@ -102,10 +104,10 @@ class LeppSimplification {
     return before - terrain_.mesh().vertex_count();
   }
 
-  std::vector<Unfinished> small_angles() const {
+  std::vector<Unfinished> small_angles(std::size_t most_vertices) const {
     const Mesh& mesh = terrain_.mesh();
     const bool used_up =
-        loop_.out_of_budget() || loop_.limited() || mesh.vertex_count() >= options_.max_vertices;
+        loop_.out_of_budget() || loop_.limited() || mesh.vertex_count() >= most_vertices;
     return lepp::small_angles(mesh, options_.min_angle_deg, {loop_.cancelled(), used_up},
                               loop_.at_kept_border());
   }

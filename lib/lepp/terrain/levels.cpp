@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace lepp {
 
@@ -41,31 +42,34 @@ bool Levels::has_ended(const Tin& tin, double error) const {
   return error <= this->error() || tin.mesh.vertex_count() >= vertices();
 }
 
-bool Levels::next(const Tin& tin, double error) {
+bool Levels::next(const Tin& tin, double error, std::vector<Unfinished> unfinished) {
   if (cancelled_) return false;
   const std::size_t count = tin.mesh.vertex_count();
   const bool is_last = error <= last_error() || count >= options_.max_vertices;
-  const std::size_t passed = pass(error, count, is_last);
-  if (passed > 0) note(tin, passed);
-  return passed > 0 && !is_last;
-}
-
-std::size_t Levels::pass(double error, std::size_t count, bool is_last) {
-  const std::size_t errors = options_.level_errors.size(), counts = options_.level_vertices.size();
-  const std::size_t before = next_error_ + next_count_;
-  while (next_error_ < errors && error <= this->error()) ++next_error_;
-  while (next_count_ < counts && (is_last || count >= vertices())) ++next_count_;
-  const bool has_given_up = next_error_ + next_count_ == before && next_count_ < counts;
-  if (has_given_up) ++next_count_;
-  return next_error_ + next_count_ - before;
-}
-
-void Levels::note(const Tin& tin, std::size_t levels) {
-  const TerrainLevel level{tin.mesh.vertex_count(), measure_error(grid_, tin).max};
-  for (; levels > 0; --levels) {
+  const auto passed = pass(error, count, is_last);
+  if (passed.empty()) return false;
+  TerrainLevel level{count, measure_error(grid_, tin).max, {}, std::move(unfinished)};
+  for (const auto& most_vertices : passed) {
+    level.most_vertices = most_vertices;
     report_.levels.push_back(level);
     if (options_.on_level) options_.on_level(tin, level);
   }
+  return !is_last;
+}
+
+std::vector<std::optional<std::size_t>> Levels::pass(double error, std::size_t count,
+                                                     bool is_last) {
+  const auto& counts = options_.level_vertices;
+  std::vector<std::optional<std::size_t>> passed;
+  for (; next_error_ < options_.level_errors.size() && error <= this->error(); ++next_error_) {
+    passed.emplace_back();
+  }
+  while (next_count_ < counts.size() && (is_last || count >= vertices())) {
+    passed.emplace_back(counts[next_count_++]);
+  }
+  const bool has_given_up = passed.empty() && next_count_ < counts.size();
+  if (has_given_up) passed.emplace_back(counts[next_count_++]);
+  return passed;
 }
 
 }  // namespace lepp

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "lepp/terrain/simplify.hpp"
 
@@ -26,8 +28,9 @@ class Levels {
   /// True if a TIN that is off by `error` has reached where the level in hand ends.
   bool has_ended(const Tin& tin, double error) const;
   /// Ends the level in hand with `tin`, whether or not it got there.
+  /// \param unfinished  its triangles below the angle bound
   /// \return false if that was the last one
-  bool next(const Tin& tin, double error);
+  bool next(const Tin& tin, double error, std::vector<Unfinished> unfinished = {});
   /// Asks the caller whether to go on; once false, it stays so.
   bool ask(std::size_t vertices) {
     if (!cancelled_ && options_.progress) cancelled_ = !options_.progress(vertices);
@@ -40,9 +43,9 @@ class Levels {
 
  private:
   double raised(double error) const { return error * (1 + 1e-12) + rounding_; }
-  // Goes on to the first level that is not reached. Returns how many that passes.
-  std::size_t pass(double error, std::size_t count, bool is_last);
-  void note(const Tin& tin, std::size_t levels);
+  // Goes on to the first level that is not reached. Returns the counts asked for of those that it
+  // passes, nothing where it was an error.
+  std::vector<std::optional<std::size_t>> pass(double error, std::size_t count, bool is_last);
 
   const HeightGrid& grid_;
   const SimplifyOptions& options_;

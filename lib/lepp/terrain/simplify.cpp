@@ -79,7 +79,7 @@ Tin simplify(const HeightGrid& grid, const TerrainDomain& domain, const Simplify
   Tin tin = terrain.take();
   report.error = measure_error(grid, tin);
   if (!report.error_of_prefix.empty()) report.error_of_prefix.back() = report.error.max;
-  report.levels.push_back({tin.mesh.vertex_count(), report.error.max});
+  report.levels.push_back({tin.mesh.vertex_count(), report.error.max, {}, report.unfinished});
   note_angles(grid, tin, options.min_angle_deg, report.surface);
   report.goal_reached = levels.is_kept(report.error.elsewhere.max) &&
                         tin.mesh.vertex_count() <= options.max_vertices &&

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "lepp/refine/refine.hpp"
@@ -32,6 +33,10 @@ enum class TerrainMetric {
 struct TerrainLevel {
   std::size_t vertices = 0;
   double max_error = 0;  ///< found for this level
+  /// Asked for, of a level that ends at a count. The domain alone may have more.
+  std::optional<std::size_t> most_vertices = {};
+  /// Triangles below the angle bound, as in SimplifyReport; ids are those of the level's TIN.
+  std::vector<Unfinished> unfinished = {};
 };
 
 struct SimplifyOptions {

@@ -29,10 +29,12 @@ std::vector<Unfinished> small_angles(const Mesh& mesh, double min_angle_deg, con
   return unfinished;
 }
 
+bool is_excused(Reason reason) {
+  return is_forced_by_input(reason) || reason == Reason::kept_border;
+}
+
 bool are_excused(std::span<const Unfinished> unfinished) {
-  return std::ranges::all_of(unfinished, [](const Unfinished& u) {
-    return is_forced_by_input(u.reason) || u.reason == Reason::kept_border;
-  });
+  return std::ranges::all_of(unfinished, is_excused, &Unfinished::reason);
 }
 
 }  // namespace lepp

@@ -38,6 +38,8 @@ struct LoopEnd {
 std::vector<Unfinished> small_angles(const Mesh& mesh, double min_angle_deg, const LoopEnd& end,
                                      const AtKeptBorder& at_kept_border);
 
+/// True of what no method could mend: for the input's sake, or a border's that has to stay whole.
+bool is_excused(Reason reason);
 /// True if nothing but the input, or borders that have to stay whole, kept triangles below a bound.
 bool are_excused(std::span<const Unfinished> unfinished);
 

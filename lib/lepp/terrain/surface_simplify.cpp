@@ -37,10 +37,12 @@ class SurfaceSimplification {
       is_coarse = is_coarse && mesh_.vertex_count() >= levels_.vertices();
       bound = levels_.error();
       loop_.run(bound, levels_.vertices());
-      if (!levels_.next(terrain_.tin(), loop_.largest_error())) break;
+      const bool has_more = levels_.next(terrain_.tin(), loop_.largest_error(),
+                                         small_angles_in_plan(levels_.vertices()));
+      if (!has_more) break;
       loop_.freeze();
     }
-    report.unfinished = small_angles_in_plan();
+    report.unfinished = small_angles_in_plan(options_.max_vertices);
     report.surface.violations = loop_.editor().flips().violations();
     report.surface.bound = bound;
     report.surface.plan_angle_deg = SurfaceLoop::plan_angle_deg(options_.min_angle_deg);
@@ -73,8 +75,8 @@ class SurfaceSimplification {
     loop_.take_over(lepp_simplify(terrain_, levels, coarse));
   }
 
-  std::vector<Unfinished> small_angles_in_plan() const {
-    const bool used_up = loop_.out_of_budget() || mesh_.vertex_count() >= options_.max_vertices;
+  std::vector<Unfinished> small_angles_in_plan(std::size_t most_vertices) const {
+    const bool used_up = loop_.out_of_budget() || mesh_.vertex_count() >= most_vertices;
     return small_angles(mesh_,
                         std::min(SurfaceLoop::largest_plan_angle_deg, options_.min_angle_deg),
                         {loop_.cancelled(), used_up}, loop_.at_kept_border());
