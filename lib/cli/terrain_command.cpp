@@ -50,11 +50,21 @@ void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& 
   made.report.whole.output = made.finest.figures.output;
 }
 
+void warn_of_left_samples(const Piece& piece, std::vector<std::string>& warnings) {
+  const std::size_t count = piece.left_to_neighbours;
+  if (count == 0) return;
+  warnings.push_back(std::to_string(count) + (count == 1 ? " sample" : " samples") +
+                     " on the border of the window " + (count == 1 ? "is" : "are") +
+                     " left to the windows beside it: no cell of this one covers " +
+                     (count == 1 ? "it" : "them"));
+}
+
 int run_whole(const TerrainCommand& command, TerrainReport& report) {
   const auto start = Clock::now();
   check_terrain_files(command);
   Piece piece = read_piece(command);
   std::vector<std::string> warnings = piece.place().whole.warnings;
+  warn_of_left_samples(piece, warnings);
   warn_of_cell(command, piece.place().whole, warnings);
   TerrainJob job = job_of(command, piece, warnings);
   if (command.origin.size() == 2) {
