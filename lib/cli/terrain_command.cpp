@@ -41,11 +41,13 @@ int status_of(const TerrainReport& report) {
 }
 
 void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& command) {
+  HillshadeOptions picture;
+  picture.cell_width = grid.cell_width;
   for (std::size_t i = 0; i < made.coarser.size(); ++i) {
-    write_level(made.coarser[i], grid.cell_width, command, level_suffix(i + 1));
+    write_level(made.coarser[i], picture, command, level_suffix(i + 1));
     made.report.levels[i].output = made.coarser[i].figures.output;
   }
-  write_level(made.finest, grid.cell_width, command, "");
+  write_level(made.finest, picture, command, "");
   warn_of_floats(made.finest.world, grid, command, made.report.warnings);
   made.report.whole.output = made.finest.figures.output;
 }
@@ -96,8 +98,8 @@ void print(const TerrainCommand& command, TerrainReport& report, Clock::time_poi
   print_report(to_text(report), to_json(report), command.json, command.quiet);
 }
 
-// The report of tiles that were made before an error; the error is what counts, whatever becomes of
-// the report.
+// The report of tiles that were made before an error; the error is what counts, whatever
+// becomes of the report.
 void print_what_there_is(const TerrainCommand& command, TerrainReport& report,
                          Clock::time_point start) {
   try {

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "lepp/geometry/error.hpp"
-#include "lepp/io/hillshade.hpp"
 
 namespace lepp::cli {
 
@@ -119,16 +118,14 @@ void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid) 
   if (!command.json.empty() && command.json != "-") refuse_part(command.json, parts);
 }
 
-void write_level(MadeTin& made, double cell_width, const TerrainCommand& command,
+void write_level(MadeTin& made, HillshadeOptions picture, const TerrainCommand& command,
                  const std::string& suffix) {
   const fs::path target = with_suffix(command.output.target, suffix);
   write_tin(made.world, target, command.tin_format());
   made.figures.output = target.string();
   if (command.picture.empty()) return;
-  HillshadeOptions options;
-  options.width = command.picture_width;
-  options.cell_width = cell_width;
-  write_hillshade(made.tin, with_suffix(command.picture, suffix), options);
+  picture.width = command.picture_width;
+  write_hillshade(made.tin, with_suffix(command.picture, suffix), picture);
 }
 
 }  // namespace lepp::cli

@@ -139,6 +139,19 @@ TEST_CASE("a tile that fails ends the run: the report lists it and why, the ones
   CHECK(folder.names() == std::set<std::string>{"dem.f32"});
 }
 
+TEST_CASE("pictures of tiles go by the heights of all: they match as pictures of the whole would") {
+  const ScratchFolder folder;
+  put_f32(folder, 20, 11, std::pair(20 * 10 + 19, 1000.0F));
+  const std::string window = "terrain dem.f32 -q --max-error 2 -o ";
+  REQUIRE(run(folder.path(), window + "t.obj --tiles 1x2 --picture t.svg --json r.json").status ==
+          0);
+  CHECK(Json::parse(content_of(folder / "r.json"))["heights"][1] == 1000);
+  put_f32(folder, 20, 11);
+  REQUIRE(run(folder.path(), window + "u.obj --tiles 1x2 --picture u.svg").status == 0);
+  CHECK(content_of(folder / "t_0_0.obj") == content_of(folder / "u_0_0.obj"));
+  CHECK(content_of(folder / "t_0_0.svg") != content_of(folder / "u_0_0.svg"));
+}
+
 TEST_CASE("percentages are of the range of the whole raster, also where a tile fails") {
   const ScratchFolder folder;
   put_f32(folder, 40, 31, std::pair(40 * 30 + 39, 1000.0F));
