@@ -98,12 +98,12 @@ void print(const TerrainCommand& command, TerrainReport& report, Clock::time_poi
   print_report(to_text(report), to_json(report), command.json, command.quiet);
 }
 
-// The report of tiles that were made before an error; the error is what counts, whatever
+// The report of tiles that were to be made before an error; the error is what counts, whatever
 // becomes of the report.
 void print_what_there_is(const TerrainCommand& command, TerrainReport& report,
                          Clock::time_point start) {
   try {
-    if (!report.tiles.empty()) print(command, report, start);
+    if (report.tiling) print(command, report, start);
   } catch (const Error&) {
   }
 }

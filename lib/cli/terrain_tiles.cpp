@@ -74,7 +74,7 @@ class Tiles {
   bool decide_bounds() {
     const auto start = Clock::now();
     const bool needs_range = command_.is_relative() || !command_.picture.empty();
-    if (needs_range && !find_range()) return false;
+    if (needs_range && !try_to_find_range()) return false;
     report_.seconds.read += seconds_since(start);
     const double range = lowest_ <= highest_ ? highest_ - lowest_ : 0;
     job_.simplify = simplify_options(command_, range);
@@ -85,6 +85,17 @@ class Tiles {
     picture_.cell_width = whole_.cell_width;
     if (lowest_ <= highest_) picture_.heights = {lowest_, highest_};
     return true;
+  }
+
+  bool try_to_find_range() {
+    try {
+      return find_range();
+    } catch (const std::exception& error) {
+      describe(command_, report_);
+      report_.error_kept = false;
+      report_.warnings.push_back("no tile was begun: " + one_line(error));
+      throw;
+    }
   }
 
   // Where bounds go by it, it is that of all heights, whatever tiles are left out or not reached.
