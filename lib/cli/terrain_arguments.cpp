@@ -40,16 +40,18 @@ void add_goals(CLI::App& app, TerrainCommand& command) {
   app.add_flag(
       "--fit-heights", command.fit_heights,
       "Move the heights of vertices, within the bound, to where the root mean square of the "
-      "error is least");
+      "error is least (not with --metric surface)");
   app.add_flag("--nonobtuse", command.nonobtuse,
                "leave no obtuse angle opposite an edge of the outline, so that the Voronoi boxes "
-               "are admissible for finite volumes");
+               "are admissible for finite volumes (by lepp in the planar metric, without "
+               "--max-vertices, levels, --tiles and --border-error)");
 }
 
 void add_inputs(CLI::App& app, TerrainCommand& command) {
-  app.add_option("--cell", command.cell,
-                 "width and height of a cell; of a file with coordinates these stay, and lengths and "
-                 "angles go by the given cells")
+  app.add_option(
+         "--cell", command.cell,
+         "width and height of a cell; of a file with coordinates these stay, and lengths and "
+         "angles go by the given cells")
       ->expected(2)
       ->check(number_above_zero());
   app.add_option("--nodata", command.nodata,

@@ -42,13 +42,24 @@ int status_of(const TerrainReport& report) {
 }
 
 void write_all(MadeTerrain& made, const HeightGrid& grid, const TerrainCommand& command) {
+  HillshadeOptions picture;
+  picture.cell_width = grid.cell_width;
   for (std::size_t i = 0; i < made.coarser.size(); ++i) {
-    write_level(made.coarser[i], grid.cell_width, command, level_suffix(i + 1));
+    write_level(made.coarser[i], picture, command, level_suffix(i + 1));
     made.report.levels[i].output = made.coarser[i].figures.output;
   }
-  write_level(made.finest, grid.cell_width, command, "");
+  write_level(made.finest, picture, command, "");
   warn_of_floats(made.finest.world, grid, command, made.report.warnings);
   made.report.whole.output = made.finest.figures.output;
+}
+
+void warn_of_left_samples(const Piece& piece, std::vector<std::string>& warnings) {
+  const std::size_t count = piece.left_to_neighbours;
+  if (count == 0) return;
+  warnings.push_back(std::to_string(count) + (count == 1 ? " sample" : " samples") +
+                     " on the border of the window " + (count == 1 ? "is" : "are") +
+                     " left to the windows beside it: no cell of this one covers " +
+                     (count == 1 ? "it" : "them"));
 }
 
 int run_whole(const TerrainCommand& command, TerrainReport& report) {
@@ -57,6 +68,7 @@ int run_whole(const TerrainCommand& command, TerrainReport& report) {
   Piece piece = read_piece(command);
   std::vector<std::string> warnings = piece.place().whole.warnings;
   warn_of_units(command, piece.grid, warnings);
+  warn_of_left_samples(piece, warnings);
   warn_of_cell(command, piece.place().whole, warnings);
   TerrainJob job = job_of(command, piece, warnings);
   if (command.origin.size() == 2) {
@@ -89,12 +101,12 @@ void print(const TerrainCommand& command, TerrainReport& report, Clock::time_poi
   print_report(to_text(report), to_json(report), command.json, command.quiet);
 }
 
-// The report of tiles that were made before an error; the error is what counts, whatever becomes of
-// the report.
+// The report of tiles that were to be made before an error; the error is what counts, whatever
+// becomes of the report.
 void print_what_there_is(const TerrainCommand& command, TerrainReport& report,
                          Clock::time_point start) {
   try {
-    if (!report.tiles.empty()) print(command, report, start);
+    if (report.tiling) print(command, report, start);
   } catch (const Error&) {
   }
 }

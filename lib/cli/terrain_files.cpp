@@ -5,7 +5,6 @@
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/io/file_kind.hpp"
-#include "lepp/io/hillshade.hpp"
 
 namespace lepp::cli {
 
@@ -144,16 +143,14 @@ void warn_of_old_prj(const TerrainCommand& command, const HeightGrid& grid,
   }
 }
 
-void write_level(MadeTin& made, double cell_width, const TerrainCommand& command,
+void write_level(MadeTin& made, HillshadeOptions picture, const TerrainCommand& command,
                  const std::string& suffix) {
   const fs::path target = with_suffix(command.output.target, suffix);
   write_tin(made.world, target, command.tin_format());
   made.figures.output = target.string();
   if (command.picture.empty()) return;
-  HillshadeOptions options;
-  options.width = command.picture_width;
-  options.cell_width = cell_width;
-  write_hillshade(made.tin, with_suffix(command.picture, suffix), options);
+  picture.width = command.picture_width;
+  write_hillshade(made.tin, with_suffix(command.picture, suffix), picture);
 }
 
 }  // namespace lepp::cli

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "lepp/io/hillshade.hpp"
 #include "terrain_options.hpp"
 #include "terrain_run.hpp"
 
@@ -28,8 +29,8 @@ void warn_of_old_prj(const TerrainCommand& command, const HeightGrid& grid,
                      std::vector<std::string>& warnings);
 
 /// Writes a TIN, and its picture if one is asked for.
-/// \param cell_width  of the grid: unit of x and y in that of heights
-void write_level(MadeTin& made, double cell_width, const TerrainCommand& command,
+/// \param picture  how it is drawn, but for the width
+void write_level(MadeTin& made, HillshadeOptions picture, const TerrainCommand& command,
                  const std::string& suffix);
 
 }  // namespace lepp::cli

@@ -34,7 +34,7 @@ enum class TileOutput { files, mesh, both };
 struct TerrainCommand {
   std::filesystem::path input;
   OutputOptions output;
-  std::string format;  ///< empty: the usual one of the output's kind
+  std::string format;                   ///< empty: the usual one of the output's kind
   std::string max_error, border_error;  ///< as typed; empty: not given
   std::vector<std::string> level_errors;
   std::vector<std::size_t> level_vertices;

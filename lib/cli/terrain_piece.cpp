@@ -24,7 +24,7 @@ Piece read_piece(const TerrainCommand& command) {
   } else {  // as a tile: neighbours are windows too
     GridPart part = read_grid_part(command.input, *piece.whole, *window, command.grid_options());
     piece.corners = border_corners(part);
-    leave_to_neighbours(part);
+    piece.left_to_neighbours = leave_to_neighbours(part);
     piece.grid = std::move(part.grid);
   }
   check_usable(piece.grid);

@@ -14,7 +14,8 @@ struct Piece {
   std::optional<HeightGrid> whole;  ///< without heights, where `grid` is a window of it
   GridWindow window;
   HeightGrid grid;
-  BorderCorners corners;  ///< of a window beside others
+  BorderCorners corners;               ///< of a window beside others
+  std::size_t left_to_neighbours = 0;  ///< samples of the window that are meshed by those
 
   GridPlace place() const {
     return whole ? GridPlace{*whole, window.column, window.row} : GridPlace{grid};

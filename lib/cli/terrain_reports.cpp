@@ -138,13 +138,18 @@ void describe(const HeightGrid& grid, TerrainReport& report) {
 }
 
 void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report) {
-  const SimplifyOptions& options = job.simplify;
-  report.by = options.by == SimplifyBy::lepp ? "lepp" : "greedy";
-  report.metric = options.metric == TerrainMetric::planar ? "planar" : "surface";
-  if (!command.max_error.empty()) report.max_error = options.max_error;
+  describe(command, report);
+  if (!command.max_error.empty()) report.max_error = job.simplify.max_error;
   report.border_error = job.border_error;
+}
+
+void describe(const TerrainCommand& command, TerrainReport& report) {
+  report.by = command.by == SimplifyBy::lepp ? "lepp" : "greedy";
+  report.metric = command.metric == TerrainMetric::planar ? "planar" : "surface";
   report.max_vertices = command.max_vertices;
-  if (options.by == SimplifyBy::lepp) report.min_angle_deg = options.min_angle_deg;
+  if (command.by == SimplifyBy::lepp) {
+    report.min_angle_deg = command.min_angle_deg.value_or(SimplifyOptions().min_angle_deg);
+  }
   report.window = command.grid_window();
   const TileCounts tiles = command.tile_counts();
   if (command.has_tiles()) report.tiling = {tiles.rows, tiles.columns};
@@ -159,14 +164,13 @@ void warn_of_cell(const TerrainCommand& command, const HeightGrid& whole,
   warnings.push_back("lengths and angles are those of cells of " + lepp::to_text(command.cell[0]) +
                      " x " + lepp::to_text(command.cell[1]) +
                      ", as --cell says; coordinates stay those of the file, where cells are " +
-                     lepp::to_text(whole.step_x) + " x " +
-                     lepp::to_text(std::abs(whole.step_y)) + " and angles are others");
+                     lepp::to_text(whole.step_x) + " x " + lepp::to_text(std::abs(whole.step_y)) +
+                     " and angles are others");
 }
 
 void warn_of_small_angles(TerrainReport& report) {
   const bool in_plan = report.metric != "surface";
-  const double bound =
-      in_plan ? report.min_angle_deg.value_or(0) : report.in_space.plan_angle_deg;
+  const double bound = in_plan ? report.min_angle_deg.value_or(0) : report.in_space.plan_angle_deg;
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const TerrainFigures& level = report.levels[i];
     const std::size_t count = not_excused(level.below_bound);

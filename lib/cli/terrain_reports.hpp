@@ -20,7 +20,9 @@ void warn_of_cell(const TerrainCommand& command, const HeightGrid& whole,
 
 /// Fills in what a report says of a grid: size, samples, range of heights.
 void describe(const HeightGrid& grid, TerrainReport& report);
-/// Fills in what it says was asked for.
+/// Fills in what it says was asked for, but for errors, which may be percentages.
+void describe(const TerrainCommand& command, TerrainReport& report);
+/// Fills in all of it.
 void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report);
 
 }  // namespace lepp::cli

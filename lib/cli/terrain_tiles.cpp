@@ -71,11 +71,13 @@ class Tiles {
                      "give fewer rows and columns of tiles");
   }
 
-  // All tiles keep the same bounds: percentages are of the range of all heights.
+  // All tiles keep the same bounds: percentages are of the range of all heights, and so are the
+  // colours of pictures.
   // Returns false if the user does not want to wait for it.
   bool decide_bounds() {
     const auto start = Clock::now();
-    if (command_.is_relative() && !find_range()) return false;
+    const bool needs_range = command_.is_relative() || !command_.picture.empty();
+    if (needs_range && !try_to_find_range()) return false;
     report_.seconds.read += seconds_since(start);
     const double range = lowest_ <= highest_ ? highest_ - lowest_ : 0;
     job_.simplify = simplify_options(command_, range);
@@ -83,7 +85,20 @@ class Tiles {
     job_.fit_heights = command_.fit_heights;
     describe(command_, job_, report_);
     note_range();
+    picture_.cell_width = whole_.cell_width;
+    if (lowest_ <= highest_) picture_.heights = {lowest_, highest_};
     return true;
+  }
+
+  bool try_to_find_range() {
+    try {
+      return find_range();
+    } catch (const std::exception& error) {
+      describe(command_, report_);
+      report_.error_kept = false;
+      report_.warnings.push_back("no tile was begun: " + one_line(error));
+      throw;
+    }
   }
 
   // Where bounds go by it, it is that of all heights, whatever tiles are left out or not reached.
@@ -184,9 +199,9 @@ class Tiles {
 
   void write_tile(MadeTerrain& made, const std::string& suffix) {
     for (std::size_t i = 0; i < made.coarser.size(); ++i) {
-      write_level(made.coarser[i], whole_.cell_width, command_, suffix + level_suffix(i + 1));
+      write_level(made.coarser[i], picture_, command_, suffix + level_suffix(i + 1));
     }
-    write_level(made.finest, whole_.cell_width, command_, suffix);
+    write_level(made.finest, picture_, command_, suffix);
   }
 
   void keep(const MadeTerrain& made, Point shift) {
@@ -218,7 +233,7 @@ class Tiles {
                               checked.violations.end());
     report_.valid = report_.valid && checked.valid();
     if (!checked.valid()) return stopped(bug);
-    write_level(made, whole_.cell_width, command_, suffix);
+    write_level(made, picture_, command_, suffix);
     figures.output = made.figures.output;
     return done;
   }
@@ -230,6 +245,7 @@ class Tiles {
   const HeightGrid& whole_;  // without heights
   GridWindow region_;
   double lowest_ = INFINITY, highest_ = -INFINITY;
+  HillshadeOptions picture_;
   TerrainJob job_;
   std::vector<JoinedTin> joined_;  // by level, the finest last
 };

@@ -67,6 +67,18 @@ TEST_CASE("heights of flat land are stretched until slopes show, those of steep 
   CHECK(Hillshade(tin, 10).exaggeration() == 1);
 }
 
+TEST_CASE("tints go by the heights given: a part of a land has the colours of the whole") {
+  const Tin tin = roof();
+  const auto [low, high] = std::ranges::minmax(tin.heights);
+  const Hillshade own(tin, 10), same(tin, 10, {{low, high}}), part(tin, 10, {{low, 9 * high}});
+  bool differs = false;
+  for (std::size_t i = 0; i < tin.mesh.triangle_count(); ++i) {
+    CHECK(own(TriangleId(i)) == same(TriangleId(i)));
+    differs = differs || own(TriangleId(i)) != part(TriangleId(i));
+  }
+  CHECK(differs);
+}
+
 TEST_CASE("SVG: a polygon per triangle, edges where they can be seen or are asked for") {
   const ScratchFolder folder;
   write_hillshade(roof(), folder / "a.svg", {.width = 100, .cell_width = 10, .edges = {}});

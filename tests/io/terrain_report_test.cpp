@@ -80,7 +80,7 @@ TEST_CASE("the terrain report for people says what was asked for beside what was
   CHECK(contains(text, "2.25 (asked for: 2.5)"));
   CHECK(contains(text, "column 14, row 26: (431550, 5103725)"));
   CHECK(contains(text, "7 samples, off by up to 2.25; elsewhere 1.75"));
-  CHECK(contains(text, "60 x 40 samples, 1608 with data"));
+  CHECK(contains(text, "60 x 40 samples, 1608 with data\n"));
   CHECK(contains(text, "3 kept_border"));
   CHECK(contains(text, "5 budget"));
   CHECK(contains(text, "12.75"));
@@ -105,6 +105,7 @@ TEST_CASE("both reports list a tile that failed, and why; JSON says what was ask
   CHECK_FALSE(json["levels"][0].contains("problem"));
   const std::string text = to_text(report);
   CHECK(contains(text, "the disk is full"));
+  CHECK(contains(text, "1608 with data, twice where tiles share them"));
   CHECK(contains(text, "dem_0_0.ply"));
   CHECK(contains(text, "dem.level1.ply"));
 }

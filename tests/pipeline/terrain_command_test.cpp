@@ -121,8 +121,9 @@ TEST_CASE("a relative error is one of the range, and the report says what was as
 TEST_CASE("--cell leaves coordinates as they are, and says once that angles in them are others") {
   const ScratchFolder folder;
   folder.put("g.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n1 2 4\n3 9 7\n");
-  const std::string warning = "warning: lengths and angles are those of cells of 2 x 3, as --cell "
-                              "says; coordinates stay those of the file, where cells are 1 x 1";
+  const std::string warning =
+      "warning: lengths and angles are those of cells of 2 x 3, as --cell "
+      "says; coordinates stay those of the file, where cells are 1 x 1";
   for (const std::string tiles : {"", " --tiles 1x2 --tile-output both"}) {
     CAPTURE(tiles);
     const std::string start = "terrain g.asc -o t.obj --force --max-error 9" + tiles;
@@ -140,8 +141,8 @@ TEST_CASE("--cell leaves coordinates as they are, and says once that angles in t
 TEST_CASE("on flat ground all percentages are one height, and levels are all the same") {
   const ScratchFolder folder;
   folder.put("flat.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n7 7 7\n7 7 7\n");
-  const Outcome made = run(
-      folder.path(), "terrain flat.asc -o t.obj --max-error 1% --levels 50%,10% --json - -q");
+  const Outcome made =
+      run(folder.path(), "terrain flat.asc -o t.obj --max-error 1% --levels 50%,10% --json - -q");
   REQUIRE(made.status == 0);
   const Json report = Json::parse(made.out);
   REQUIRE(report["levels"].size() == 2);

@@ -115,13 +115,15 @@ TEST_CASE("levels without room for the outline or for angles are warned of and c
   REQUIRE(made.status == 0);
   const Json report = Json::parse(made.out);
   CHECK(report["levels"][0]["vertices"] == 4);
-  CHECK(has(made.err, "warning: level 1: the outline and lines alone have 4 vertices, more than "
-                      "the 3 asked for"));
+  CHECK(has(made.err,
+            "warning: level 1: the outline and lines alone have 4 vertices, more than "
+            "the 3 asked for"));
   const Json& level = report["levels"][1];
   CHECK(level["min_angle_deg"] < 30);
   CHECK(level["below_bound"]["budget"] > 0);
-  CHECK(has(made.err, "warning: level 2: 4 triangles are below 30 degrees, the smallest angle is "
-                      "22.61: 6 vertices leave no room"));
+  CHECK(has(made.err,
+            "warning: level 2: 4 triangles are below 30 degrees, the smallest angle is "
+            "22.61: 6 vertices leave no room"));
   CHECK(report["min_angle_deg"] >= 30 - 1e-9);
   CHECK(report["goal_reached"] == true);
 }

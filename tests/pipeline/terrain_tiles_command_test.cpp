@@ -137,6 +137,36 @@ TEST_CASE("a tile that fails ends the run: the report lists it and why, the ones
   fs::remove(folder / "t_0_0.obj");
   fs::remove(folder / "r.json");
   CHECK(run(folder.path(), command + "--max-error 2%").status == 2);
+  CHECK(folder.names() == std::set<std::string>{"dem.f32", "r.json"});
+  const Json early = Json::parse(content_of(folder / "r.json"));
+  CHECK(early["tiles"].empty());
+  CHECK(early["goal_reached"] == false);
+  CHECK(early["error_kept"] == false);
+  CHECK(early["asked_for"]["tiles"] == Json({3, 1}));
+  CHECK(has(early["warnings"].dump(), "no tile was begun: "));
+  CHECK(has(early["warnings"].dump(), "column 7, row 20: the height is infinite"));
+}
+
+TEST_CASE("pictures of tiles go by the heights of all: they match as pictures of the whole would") {
+  const ScratchFolder folder;
+  put_f32(folder, 20, 11, std::pair(20 * 10 + 19, 1000.0F));
+  const std::string window = "terrain dem.f32 -q --max-error 2 -o ";
+  REQUIRE(run(folder.path(), window + "t.obj --tiles 1x2 --picture t.svg --json r.json").status ==
+          0);
+  CHECK(Json::parse(content_of(folder / "r.json"))["heights"][1] == 1000);
+  put_f32(folder, 20, 11);
+  REQUIRE(run(folder.path(), window + "u.obj --tiles 1x2 --picture u.svg").status == 0);
+  CHECK(content_of(folder / "t_0_0.obj") == content_of(folder / "u_0_0.obj"));
+  CHECK(content_of(folder / "t_0_0.svg") != content_of(folder / "u_0_0.svg"));
+}
+
+TEST_CASE("a usage error that is found by the range of heights leaves no report") {
+  const ScratchFolder folder;
+  put_f32(folder, 20, 11);
+  CHECK(run(folder.path(),
+            "terrain dem.f32 -q --tiles 1x2 -o t.obj --max-error 5% --levels 5% "
+            "--json r.json")
+            .status == 1);
   CHECK(folder.names() == std::set<std::string>{"dem.f32"});
 }
 

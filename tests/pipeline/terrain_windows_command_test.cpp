@@ -175,6 +175,25 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a window says how many samples it leaves to its neighbours") {
+  const ScratchFolder folder;
+  // Those at column 2, rows 1 and 3, are in cells with the samples east of them alone.
+  folder.put("g.asc",
+             "ncols 5\nnrows 4\nxllcenter 0\nyllcenter 0\ncellsize 1\nnodata_value -9\n"
+             "1 2 -9 3 4\n2 -9 5 1 2\n3 -9 -9 2 2\n1 2 4 3 1\n");
+  const std::string start =
+      "terrain g.asc -o t.obj --force --max-error 1 --json - --window 0 0 3 4";
+  const Outcome alone = run(folder.path(), start),
+                beside = run(folder.path(), start + " --border-error 1");
+  REQUIRE(alone.status == 0);
+  REQUIRE(beside.status == 0);
+  const std::size_t samples = Json::parse(alone.out)["samples"];
+  const std::string warning = " samples on the border of the window are left to the windows beside";
+  CHECK_FALSE(has(alone.err, warning));
+  CHECK(has(beside.err, "warning: 2" + warning));
+  CHECK(Json::parse(beside.out)["samples"] == samples - 2);
+}
+
 TEST_CASE("a window in tiles reads nothing else") {
   const ScratchFolder folder;
   folder.put("all.asc", asc_of(all));

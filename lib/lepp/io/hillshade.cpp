@@ -174,11 +174,13 @@ void draw_png(const Tin& tin, const std::filesystem::path& path, const Hillshade
 
 }  // namespace
 
-Hillshade::Hillshade(const Tin& tin, double cell_width) : tin_(tin), cell_width_(cell_width) {
+Hillshade::Hillshade(const Tin& tin, double cell_width,
+                     const std::optional<std::array<double, 2>>& heights)
+    : tin_(tin), cell_width_(cell_width) {
   if (tin.heights.empty()) return;
   const auto [low, high] = std::ranges::minmax(tin.heights);
-  low_ = low;
-  high_ = high;
+  low_ = heights ? heights->front() : low;
+  high_ = heights ? heights->back() : high;
   double sum = 0, area = 0;
   for (std::size_t i = 0; i < tin.mesh.triangle_count(); ++i) {
     const auto [a, b, c] = tin.mesh.corners(TriangleId(i));
@@ -220,7 +222,7 @@ Color Hillshade::operator()(TriangleId t) const {
 
 void write_hillshade(const Tin& tin, const std::filesystem::path& path,
                      const HillshadeOptions& options) {
-  const Hillshade shade(tin, options.cell_width);
+  const Hillshade shade(tin, options.cell_width, options.heights);
   if (file_kind(path) == ".png") draw_png(tin, path, shade, options);
   else write_svg(tin, path, shade, options);
 }

@@ -10,9 +10,11 @@
 namespace lepp {
 
 struct HillshadeOptions {
-  double width = 1000;        ///< longest side of the picture, in SVG units or pixels, 1 to 20000
-  double cell_width = 1;      ///< unit of x and y in units of height: HeightGrid::cell_width
-  std::optional<bool> edges;  ///< drawn; else if triangles are large enough to see them
+  double width = 1000;    ///< longest side of the picture, in SVG units or pixels, 1 to 20000
+  double cell_width = 1;  ///< unit of x and y in units of height: HeightGrid::cell_width
+  /// The lowest and the highest tint; else the heights of the TIN. Pictures of parts match by it.
+  std::optional<std::array<double, 2>> heights = {};
+  std::optional<bool> edges = {};  ///< drawn; else if triangles are large enough to see them
 };
 
 using Color = std::array<std::uint8_t, 3>;
@@ -21,7 +23,9 @@ using Color = std::array<std::uint8_t, 3>;
 /// the north-west, 45 degrees high. Flat land is stretched in height until slopes show.
 class Hillshade {
  public:
-  Hillshade(const Tin& tin, double cell_width);
+  /// \param heights  as in HillshadeOptions
+  Hillshade(const Tin& tin, double cell_width,
+            const std::optional<std::array<double, 2>>& heights = {});
   Color operator()(TriangleId t) const;
   double exaggeration() const { return exaggeration_; }
 

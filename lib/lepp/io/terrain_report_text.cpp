@@ -139,7 +139,8 @@ std::string problems(const TerrainReport& r) {
 std::string to_text(const TerrainReport& r) {
   std::string text = table(r);
   add_line(text, "input",
-           fmt::format("{}, {} x {} samples, {} with data", r.input, r.columns, r.rows, r.samples));
+           fmt::format("{}, {} x {} samples, {} with data{}", r.input, r.columns, r.rows, r.samples,
+                       r.tiling ? ", twice where tiles share them" : ""));
   add_line(text, "heights", fmt::format("{:.6g} to {:.6g}", r.lowest, r.highest));
   if (!r.whole.output.empty()) add_line(text, "output", r.whole.output);
   add_line(text, "vertices, triangles", fmt::format("{}, {}", r.whole.vertices, r.whole.triangles));

@@ -1,5 +1,6 @@
 #include "lepp/terrain/grid_part.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -90,7 +91,7 @@ GridPart part_of(const HeightGrid& around, const GridWindow& window) {
   return part;
 }
 
-void leave_to_neighbours(GridPart& part) {
+std::size_t leave_to_neighbours(GridPart& part) {
   HeightGrid& grid = part.grid;
   const std::int64_t east = std::int64_t{grid.columns} - 1, north = std::int64_t{grid.rows} - 1;
   std::vector<std::size_t> left;
@@ -119,7 +120,10 @@ void leave_to_neighbours(GridPart& part) {
     look(east, line);
   }
   // Only now: what is covered does not depend on the order.
+  std::ranges::sort(left);  // corners were looked at twice
+  left.erase(std::unique(left.begin(), left.end()), left.end());
   for (const std::size_t i : left) grid.heights.set(i, std::numeric_limits<double>::quiet_NaN());
+  return left.size();
 }
 
 namespace {

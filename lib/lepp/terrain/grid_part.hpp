@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -33,7 +34,8 @@ GridPart part_of(const HeightGrid& around, const GridWindow& part);
 /// neighbour covers them, or else to the neighbour in the north or east: a sample that stands alone
 /// on a border gets its square (terrain_domain.hpp) from one part only. So each sample with data is
 /// in the domain of some part, and domains do not overlap.
-void leave_to_neighbours(GridPart& part);
+/// \return  how many they are
+std::size_t leave_to_neighbours(GridPart& part);
 
 /// The samples of a side, by column or line, where the outline of the part or of its neighbour
 /// comes to the side that it then follows, or turns away from it, and both ends of the side;

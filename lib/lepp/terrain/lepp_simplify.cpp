@@ -31,8 +31,8 @@ class LeppSimplification {
   std::vector<Unfinished> run() {
     for (;;) {
       reach_level();
-      const bool has_more = levels_.next(terrain_.tin(), loop_.largest_error(),
-                                         small_angles(levels_.vertices()));
+      const bool has_more =
+          levels_.next(terrain_.tin(), loop_.largest_error(), small_angles(levels_.vertices()));
       if (!has_more) break;
       loop_.freeze();
     }
