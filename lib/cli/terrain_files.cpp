@@ -90,12 +90,6 @@ void refuse_part(const fs::path& target, const std::set<fs::path>& parts) {
   throw OutputError(target.string(), "is also a part of the input", "choose another name");
 }
 
-void refuse_folder(const fs::path& target) {
-  std::error_code error;
-  if (!fs::is_directory(target, error)) return;
-  throw OutputError(target.string(), "is a folder", "choose another name");
-}
-
 void refuse_the_same_twice(const Files& targets) {
   std::set<fs::path> seen;
   for (const fs::path& target : targets) {
@@ -124,7 +118,6 @@ void check_terrain_files(const TerrainCommand& command, const HeightGrid& grid) 
     if (is_prj_of(target, grid.crs)) continue;
     check_target(target, inputs, command.output.force);
     refuse_part(target, parts);
-    refuse_folder(target);
   }
   refuse_the_same_twice(targets);
   check_report_target(command.json, inputs, targets);

@@ -50,6 +50,9 @@ class Judge {
  private:
   TerrainReport& report() { return work_.made.report; }
 
+  // Then simplify() has measured the very TIN, from nothing but it and the grid.
+  bool is_as_simplified() const { return !job_.nonobtuse && !job_.fit_heights; }
+
   // Beside borders that must not be cut, the angle bound is out of reach of any method.
   void excuse_borders() {
     const NearBorder is_near(grid_, work_.domain);
@@ -74,7 +77,10 @@ class Judge {
     const bool is_finest = &made == &work_.made.finest;
     figures.vertices = made.tin.mesh.vertex_count();
     figures.triangles = made.tin.mesh.triangle_count();
-    report().seconds.measure += timed([&] { figures.error = work_.measured(grid_, made.tin); });
+    report().seconds.measure += timed([&] {
+      const bool is_known = is_finest && is_as_simplified() && !work_.inside;
+      figures.error = is_known ? work_.simplified.error : work_.measured(grid_, made.tin);
+    });
     figures.error.column += place_.column;
     figures.error.row += place_.row;
     const std::uint32_t row = figures.error.row;
@@ -172,7 +178,7 @@ class Judge {
   void judge_in_space() {
     const MadeTin& finest = work_.made.finest;
     SurfaceReport& surface = work_.simplified.surface;
-    note_angles(grid_, finest.tin, job_.simplify.min_angle_deg, surface);
+    if (!is_as_simplified()) note_angles(grid_, finest.tin, job_.simplify.min_angle_deg, surface);
     TerrainInSpace& in_space = report().in_space;
     in_space.min_angle_deg = surface.min_angle_deg;
     in_space.mean_min_angle_deg = surface.mean_min_angle_deg;
