@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lepp/terrain/hard_lines.hpp"
+
 namespace lepp {
 
 namespace {
@@ -12,23 +14,6 @@ double error_at(const SampleSpace& space, const TerrainCorner& c) {
   const Sample s = space.nearest(c);
   const double error = std::abs(space.height(s) - c.height);
   return SampleSpace::is_at(c, s) && !std::isnan(error) ? error : 0;
-}
-
-// The largest error of samples on the straight line between two corners: on every line of samples
-// that it crosses, or on every column if it is flat, there may be one.
-double error_along(const SampleSpace& space, const TerrainCorner& a, const TerrainCorner& b) {
-  const double columns = b.column - a.column, lines = b.line - a.line, rise = b.height - a.height;
-  const bool is_steep = std::abs(lines) > std::abs(columns);
-  const double from = is_steep ? a.line : a.column, length = is_steep ? lines : columns;
-  const auto [low, high] = std::minmax({from, from + length});
-  double largest = 0;
-  for (double k = std::ceil(low); k <= high; ++k) {
-    const double part = (k - from) / length;
-    const TerrainCorner on_line =
-        space.snapped({a.column + part * columns, a.line + part * lines, a.height + part * rise});
-    largest = std::max(largest, error_at(space, on_line));
-  }
-  return largest;
 }
 
 }  // namespace
@@ -80,14 +65,8 @@ double error_at_lines(const TerrainMesh& terrain) {
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     largest = std::max(largest, error_at(terrain.space(), terrain.corner(VertexId(v))));
   }
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const HalfEdge e{TriangleId(t), i};
-      if (!terrain.is_hard(e)) continue;
-      const TerrainCorner a = terrain.corner(mesh.origin(e)),
-                          b = terrain.corner(mesh.destination(e));
-      largest = std::max(largest, error_along(terrain.space(), a, b));
-    }
+  for (const auto& [column, row, height] : samples_on_hard_lines(terrain.grid(), terrain.tin())) {
+    largest = std::max(largest, std::abs(terrain.grid().height(column, row) - height));
   }
   return largest;
 }
