@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
 
 #include "lepp/geometry/text.hpp"
@@ -123,18 +122,11 @@ void describe(const HeightGrid& grid, TerrainReport& report) {
   report.columns = grid.columns;
   report.rows = grid.rows;
   report.valid = true;
-  grid.heights.visit([&]<class Height>(std::span<const Height> heights) {
-    Height low = INFINITY, high = -INFINITY;
-    for (const Height h : heights) {
-      if (std::isnan(h)) continue;
-      ++report.samples;
-      low = std::min(low, h);
-      high = std::max(high, h);
-    }
-    if (report.samples == 0) return;
-    report.lowest = low;
-    report.highest = high;
-  });
+  const auto [low, high, count] = grid.heights.range();
+  report.samples = count;
+  if (count == 0) return;
+  report.lowest = low;
+  report.highest = high;
 }
 
 void describe(const TerrainCommand& command, const TerrainJob& job, TerrainReport& report) {

@@ -141,3 +141,19 @@ TEST_CASE("the error is kept where floats would lose all of the relief") {
     }
   }
 }
+
+TEST_CASE("heights: the range of floats and of doubles, NaN left out, none of none") {
+  Heights heights;
+  CHECK(heights.range().count == 0);
+  CHECK(heights.range().low > heights.range().high);
+  heights.push_back(NAN);
+  CHECK(heights.range().count == 0);
+  heights.push_back(-2);
+  heights.push_back(5);
+  for (const double more : {0.5, 0.1}) {  // 0.1 is no float
+    heights.push_back(more);
+    CHECK(heights.range().low == -2);
+    CHECK(heights.range().high == 5);
+  }
+  CHECK(heights.range().count == 4);
+}

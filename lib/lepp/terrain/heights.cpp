@@ -9,6 +9,19 @@ std::size_t Heights::bytes() const {
   return std::visit([](const auto& v) { return v.capacity() * sizeof(v[0]); }, values_);
 }
 
+HeightRange Heights::range() const {
+  return visit([]<class Height>(std::span<const Height> values) {
+    Height low = std::numeric_limits<Height>::infinity(), high = -low;
+    std::size_t count = 0;
+    for (const Height h : values) {
+      low = h < low ? h : low;  // false for NaN
+      high = h > high ? h : high;
+      count += std::isnan(h) ? 0 : 1;
+    }
+    return HeightRange{low, high, count};
+  });
+}
+
 void Heights::reserve(std::size_t count) {
   std::visit([&](auto& values) { values.reserve(count); }, values_);
 }

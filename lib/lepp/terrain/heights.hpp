@@ -12,6 +12,12 @@ namespace lepp {
 /// Larger heights are refused, as larger coordinates are: products of a few of them stay finite.
 inline constexpr double largest_height = 0x1p200;
 
+/// The heights there are: the lowest and the highest, and how many; low > high if there are none.
+struct HeightRange {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  std::size_t count = 0;
+};
+
 /// Heights of samples, NaN where there is no data, each exactly as it was given: floats as long as
 /// every one is a float, doubles from the first one on that is not. Which of the two they are
 /// follows from what was put in.
@@ -34,6 +40,8 @@ class Heights {
     return floats != nullptr ? double((*floats)[i]) : (*std::get_if<Doubles>(&values_))[i];
   }
   double back() const { return (*this)[size() - 1]; }
+
+  HeightRange range() const;  ///< O(size())
 
   void reserve(std::size_t count);
   /// New heights are without data.

@@ -1,27 +1,17 @@
 #include "lepp/terrain/levels.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <span>
-#include <type_traits>
 #include <utility>
 
 namespace lepp {
 
 double interpolation_rounding(const HeightGrid& grid) {
   constexpr double part = 0x1p-48, last_digit = 0x1p-53, of_denormals = 0x1p-1060;
-  return grid.heights.visit([]<class Height>(std::span<const Height> heights) {
-    Height low = std::numeric_limits<Height>::max(), high = -low;
-    for (const Height h : heights) {
-      low = h < low ? h : low;  // false for NaN
-      high = h > high ? h : high;
-    }
-    if (low > high) return 0.0;  // no data
-    const double largest = std::max(-double(low), double(high));
-    const bool is_double = std::is_same_v<Height, double>;
-    return is_double ? part * double(high - low) + last_digit * largest + of_denormals
-                     : part * largest;
-  });
+  const auto [low, high, count] = grid.heights.range();
+  if (count == 0) return 0;
+  const double largest = std::max(-low, high);
+  if (grid.heights.are_floats()) return part * largest;
+  return part * (high - low) + last_digit * largest + of_denormals;
 }
 
 Levels::Levels(const HeightGrid& grid, const SimplifyOptions& options, SimplifyReport& report)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "lepp/geometry/error.hpp"
 #include "lepp/geometry/text.hpp"
@@ -46,14 +45,9 @@ void check_options(const SimplifyOptions& o) {
 // The metric of the surface compares squares of lengths in plan and of heights in one sum.
 void check_relief(const HeightGrid& grid) {
   constexpr double most_cells = 1e9;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    const double h = grid.heights[i];
-    low = h < low ? h : low;  // false for NaN
-    high = h > high ? h : high;
-  }
+  const auto [low, high, count] = grid.heights.range();
   const double cell = std::min(grid.cell_width, grid.cell_height);
-  check(!(high - low > most_cells * cell), grid.source,
+  check(count == 0 || high - low <= most_cells * cell, grid.source,
         "its heights reach from " + to_text(low) + " to " + to_text(high) +
             ", more than a thousand million cells: the metric of the surface cannot compare them",
         "check the value that means no data and the size of cells, or simplify in plan");
